@@ -234,7 +234,7 @@ const chapters = (() => {
 
   function warnings(where, runs) {
     const list = runs.flatMap(({ name, analysis }) => (analysis.warnings || []).map(text => (runs.length > 1 ? `${name}: ${text}` : text)));
-    if (list.length) where.append(element('div', { class: 'warnings' }, element('b', {}, 'The analysis warns:'), element('ul', {}, ...list.map(text => element('li', {}, text)))));
+    if (list.length) where.append(element('div', { class: 'warnings' }, element('b', {}, 'The analysis warns:'), element('ul', {}, ...list.map(text => element('li', {}, elements.tidy(text))))));
   }
 
   return { add, figures_of, add_figure, warnings, run_heading, value_cell, difference, titles };

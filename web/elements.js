@@ -12,8 +12,11 @@ const elements = (() => {
     return made;
   }
 
+  // An interval without bounds tells nothing: the value stays alone, with its unit.
+  const certain = text => text.replace(/(%?)\s*(?:±|\+-)\s*(?:inf|nan)(?!\p{L})(\s*%)?/gu, (_, before, after = '') => before || after);
+
   // Numbers stay on one line with their signs and units.
-  const tidy = text => text.replace(/\+- ?/g, '± ').replace(/ %/g, '\u00a0%').replace(/± /g, '±\u00a0');
+  const tidy = text => certain(text).replace(/\+- ?/g, '± ').replace(/ %/g, '\u00a0%').replace(/± /g, '±\u00a0');
 
   // A few tags of our own making (italic symbols with indices) are allowed in labels; anything else is text.
   function marked(text) {
@@ -23,5 +26,5 @@ const elements = (() => {
     return holder;
   }
 
-  return { at, element, tidy, marked };
+  return { at, element, certain, tidy, marked };
 })();

@@ -11,6 +11,8 @@ const moving_surface = (() => {
   // Played at half of the time in which it happens: crests cross a cell of some depths in less than a second.
   const slowed = 2;
   const shadow = [10, 44, 74], bright = [198, 226, 236];
+  // No colour of either view: white would be a level at the mean.
+  const dry = [154, 154, 154];
 
   const points_of = surface => surface.x.length * surface.y.length;
 
@@ -35,10 +37,26 @@ const moving_surface = (() => {
     return surface.limit;
   }
 
+  // Number of a point beside the last or the first one: on the other side of a period, else that one itself.
+  const next = (i, n, period) => (period ? (i + n) % n : Math.min(Math.max(i, 0), n - 1));
+
+  // The same with its gaps filled from their rims inward, each point by the mean of its neighbours: the curves through
+  // four points then have all of them beside a gap too. What is filled is not drawn.
+  function filled(surface, values) {
+    const nx = surface.x.length, ny = surface.y.length, result = values.slice(), beside = [-1, 0, 1];
+    const around = at => beside.flatMap(k => beside.map(m => result[nx * next(Math.floor(at / nx) + k, ny, surface.periodic_across) + next(at % nx + m, nx, surface.periodic_along)]));
+    let gaps = [...values.keys()].filter(at => !Number.isFinite(values[at])), rim = gaps;
+    while (rim.length) {
+      rim = gaps.map(at => [at, around(at).filter(Number.isFinite)]).filter(([, levels]) => levels.length);
+      for (const [at, levels] of rim) result[at] = levels.reduce((sum, level) => sum + level, 0) / levels.length;
+      gaps = gaps.filter(at => !Number.isFinite(result[at]));
+    }
+    return result;
+  }
+
   // The same without what is shorter than some points, which rules the slopes: weights 1 2 1 along and across.
   function smoothed(surface, values) {
     const nx = surface.x.length, ny = surface.y.length;
-    const next = (i, n, period) => (period ? (i + n) % n : Math.min(Math.max(i, 0), n - 1));
     const mean = (a, b, c) => (Number.isFinite(a) && Number.isFinite(c) ? (a + 2 * b + c) / 4 : b);
     const along = values.map((value, i) => { const start = i - i % nx, at = k => values[start + next(i % nx + k, nx, surface.periodic_along)]; return mean(at(-1), value, at(1)); });
     return along.map((value, i) => { const at = k => along[nx * next(Math.floor(i / nx) + k, ny, surface.periodic_across) + i % nx]; return mean(at(-1), value, at(1)); });
@@ -58,23 +76,33 @@ const moving_surface = (() => {
   const through = t => [(-t + 2 * t * t - t ** 3) / 2, (2 - 5 * t * t + 3 * t ** 3) / 2, (t + 4 * t * t - 3 * t ** 3) / 2, (t ** 3 - t * t) / 2];
   const past = t => [(1 - t) ** 3 / 6, (3 * t ** 3 - 6 * t * t + 4) / 6, (-3 * t ** 3 + 3 * t * t + 3 * t + 1) / 6, t ** 3 / 6];
 
-  // Elevations on the pixels of a bitmap, row by row from the top (the largest y).
+  // Where the pixels of a bitmap stand between the points: the columns, and the rows from the top (the largest y).
+  const columns_of = (surface, width) => Array.from({ length: width }, (_, column) => place_in(surface.x, surface.length * (column + 0.5) / width, surface.periodic_along));
+  const rows_of = (surface, height) => Array.from({ length: height }, (_, row) => place_in(surface.y, surface.width * (1 - (row + 0.5) / height), surface.periodic_across));
+
+  // Whether there is water at each pixel: whether the point nearest to it has a level.
+  function wet(surface, values, width, height) {
+    const nearest = ({ first, part, wrap }) => wrap(first + Math.round(part)), columns = columns_of(surface, width).map(nearest);
+    return rows_of(surface, height).map(nearest).flatMap(row => columns.map(column => Number.isFinite(values[row * surface.x.length + column])));
+  }
+
+  // Elevations on the pixels, row by row, of values without gaps.
   function refined(surface, values, width, height, cubic) {
     const nx = surface.x.length, across = new Float64Array(height * nx), fine = new Float64Array(height * width);
-    for (let row = 0; row < height; ++row) {
-      const { first, part, wrap } = place_in(surface.y, surface.width * (1 - (row + 0.5) / height), surface.periodic_across), weights = cubic(part);
-      const rows = [-1, 0, 1, 2].map(i => nx * wrap(first + i));
+    rows_of(surface, height).forEach(({ first, part, wrap }, row) => {
+      const weights = cubic(part), rows = [-1, 0, 1, 2].map(i => nx * wrap(first + i));
       for (let i = 0; i < nx; ++i) across[row * nx + i] = rows.reduce((sum, from, k) => sum + weights[k] * values[from + i], 0);
-    }
-    for (let column = 0; column < width; ++column) {
-      const { first, part, wrap } = place_in(surface.x, surface.length * (column + 0.5) / width, surface.periodic_along), weights = cubic(part);
-      const from = [-1, 0, 1, 2].map(i => wrap(first + i));
+    });
+    columns_of(surface, width).forEach(({ first, part, wrap }, column) => {
+      const weights = cubic(part), from = [-1, 0, 1, 2].map(i => wrap(first + i));
       for (let row = 0; row < height; ++row) fine[row * width + column] = from.reduce((sum, i, k) => sum + weights[k] * across[row * nx + i], 0);
-    }
+    });
     return fine;
   }
 
-  // How many times the slopes are drawn steeper than they are, so that light shows them: two digits.
+  // How many times the slopes are drawn steeper than they are, so that light shows them: two digits, within a bound. Those
+  // that stay below what can be seen even so are no waves but rounding, and are left as they are.
+  const steepest = 1000, seen = 0.01;
   function steepened(surface) {
     if (surface.steepened === undefined) {
       let squares = 0, count = 0;
@@ -87,7 +115,7 @@ const moving_surface = (() => {
         }
       }
       const rms = Math.sqrt(squares / Math.max(1, count));
-      surface.steepened = rms > 0 ? Number(Math.max(1, 0.45 / rms).toPrecision(2)) : 1;
+      surface.steepened = steepest * rms < seen ? 1 : Number(Math.min(steepest, Math.max(1, 0.45 / rms)).toPrecision(2));
     }
     return surface.steepened;
   }
@@ -99,8 +127,9 @@ const moving_surface = (() => {
     const canvas = document.createElement('canvas');
     canvas.width = width;
     canvas.height = height;
-    const pen = canvas.getContext('2d'), image = pen.createImageData(width, height), map = frame_of(surface, number);
-    const fine = view === 'light' ? refined(surface, smoothed(surface, map), width, height, past) : refined(surface, map, width, height, through);
+    const pen = canvas.getContext('2d'), image = pen.createImageData(width, height), map = frame_of(surface, number), whole = filled(surface, map);
+    const fine = view === 'light' ? refined(surface, smoothed(surface, whole), width, height, past) : refined(surface, whole, width, height, through);
+    const water = wet(surface, map, width, height);
     const limit = limit_of(surface), scale = steepened(surface), sx = scale * width / (2 * surface.length), sy = scale * height / (2 * surface.width);
     // The sun stands to the upper left, the eye above; what shines lies halfway between the two.
     const [ex, ey, ez] = [-0.55, 0.5, 0.67], size = Math.hypot(ex, ey, ez + 1), [hx, hy, hz] = [ex / size, ey / size, (ez + 1) / size];
@@ -108,16 +137,16 @@ const moving_surface = (() => {
     for (let row = 0; row < height; ++row) {
       const above = Math.max(row - 1, 0) * width, below = Math.min(row + 1, height - 1) * width;
       for (let column = 0; column < width; ++column) {
-        const i = row * width + column, value = fine[i];
-        if (!Number.isFinite(value)) {
-          put(4 * i, 255, 255, 255);
+        const i = row * width + column;
+        if (!water[i]) {
+          put(4 * i, ...dry);
         } else if (view === 'elevation') {
-          put(4 * i, ...colours_of_elevation[Math.round(255 * Math.min(1, Math.max(0, 0.5 + 0.5 * value / limit)))]);
+          put(4 * i, ...colours_of_elevation[Math.round(255 * Math.min(1, Math.max(0, 0.5 + 0.5 * fine[i] / limit)))]);
         } else {
           const along = -sx * (fine[row * width + Math.min(column + 1, width - 1)] - fine[row * width + Math.max(column - 1, 0)]);
           const across = -sy * (fine[above + column] - fine[below + column]), length = Math.hypot(along, across, 1);
-          const [red, green, blue] = colours_of_light[Math.round(255 * Math.min(1, Math.max(0, (along * ex + across * ey + ez) / length))) || 0];
-          const shine = 0.55 * Math.max(0, (along * hx + across * hy + hz) / length) ** 60 || 0;
+          const [red, green, blue] = colours_of_light[Math.round(255 * Math.min(1, Math.max(0, (along * ex + across * ey + ez) / length)))];
+          const shine = 0.55 * Math.max(0, (along * hx + across * hy + hz) / length) ** 60;
           put(4 * i, red + shine * (255 - red), green + shine * (255 - green), blue + shine * (255 - blue));
         }
       }
@@ -209,11 +238,13 @@ const moving_surface = (() => {
   }
 
   function caption(surface) {
+    const steeper = steepened(surface), gaps = surface.frames.some((_, number) => frame_of(surface, number).some(Number.isNaN));
     const last = surface.time.length - 1, span = figures.significant(surface.time[last] - surface.time[0]), step = (surface.time[last] - surface.time[0]) / last;
     return `The free surface from above, the flow to the right: ${surface.frames.length} maps, ${figures.significant(step)} s apart, of ${surface.earlier_left_out ? 'the last ' : ''}${span} s ` +
       '(at first the last one), each about its own mean; played at half speed. ' +
       (surface.velocity && surface.periodic_along ? `Ring: a point that moves at the depth-mean velocity, ${figures.significant(surface.velocity)} m/s: what keeps pace with it is carried along by the water, what overtakes it or falls behind is a wave. ` : '') +
-      `Relief: light from the upper left on slopes drawn ${steepened(surface)} times as steep, without what is shorter than four points of the map.`;
+      `Relief: light from the upper left${steeper > 1 ? ` on slopes drawn ${steeper} times as steep` : ''}, without what is shorter than four points of the map.` +
+      (gaps ? ' Grey: no water.' : '');
   }
 
   // The map of the moment shown as CSV, SI.
@@ -223,5 +254,5 @@ const moving_surface = (() => {
       save.rows([[save.heading('x', 'm'), save.heading('y', 'm'), save.heading('elevation', 'm')], ...Array.from(values, (value, i) => [surface.x[i % nx], surface.y[Math.floor(i / nx)], value])]);
   }
 
-  return { draw, caption, csv };
+  return { draw, paint, caption, csv };
 })();

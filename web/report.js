@@ -15,7 +15,7 @@
     const headline = element('p', { class: 'headline' });
     headline.textContent = data.verdict.headline;
     const text = element('p');
-    text.textContent = data.verdict.sentences.join(' ');
+    text.textContent = elements.tidy(data.verdict.sentences.join(' '));
     box.append(headline, text);
     at('kicker').textContent = data.kicker;
     if (data.description) at('description').textContent = data.description;
@@ -30,7 +30,7 @@
     if (!cell || cell.value === null || cell.value === undefined) { made.textContent = '–'; return made; }
     const shown = factor * cell.value, half = cell.half_width ? factor * cell.half_width : 0;
     made.dataset.value = shown;
-    if (half > 0) {
+    if (half > 0 && Number.isFinite(half)) {
       const [middle, width] = figures.interval(shown, half);
       const extra = element('span', { class: 'half' });
       extra.textContent = ` ± ${width}`;

@@ -60,7 +60,7 @@
           return element('tr', { 'data-key': study.outcome }, element('th', { scope: 'row' }, `${outcome.label}${unit_tag(outcome)}`),
             ...(several ? [element('td', {}, study.others)] : []), number(study.order, study.order_half_width),
             chapters.value_cell(study.limit, study.limit_half_width, outcome.factor), index,
-            number(study.fitted_exponent, study.fitted_exponent_half_width), element('td', { class: 'remark' }, study.finding));
+            number(study.fitted_exponent, study.fitted_exponent_half_width), element('td', { class: 'remark' }, elements.tidy(study.finding)));
         }))));
     }
   }

@@ -39,15 +39,20 @@ const units = (() => {
     .replace(/(^|[^\p{L}])(alpha|beta|delta|eta|kappa|lambda|nu|omega|phi|pi|Pi|rho|sigma|tau|theta|xi)(?![\p{L}-])/gu, (_, before, name) => before + greek[name])
     .replace(/(^|[^\p{L}])u\*/gu, '$1u_*').replace(/(^|[^\p{L}])ks(?![\p{L}])/gu, '$1k_s').replace(/(^|[^\p{L}])([zhL])0(?!\d)/gu, '$1$2_0');
 
+  // The end of a number with a unit behind it, or with the part of a unit that ends here: 3 s, 0.2 m2/s, 4 N m, 5 1/m.
+  // A letter alone behind a number is taken for a unit.
+  const unit_word = '(?:[kcmµ]?m|[mµ]?s|k?N|[kM]?Pa|k?g|k?Hz|k?J|k?W|m?V|L|K|rad|min)', power = '(?:-?\\d|[²³⁴⁵]|<sup>[^<]*</sup>)?';
+  const unit_behind_number = new RegExp(`\\d\\s?(?:\\p{L}|(?:(?:1|${unit_word}${power})[ /·])+${unit_word})$`, 'u');
+
   // Plain text with its symbols set as symbols: single letters in italics, what follows _ as index, what follows ^ as
   // exponent. Articles stay words, and units behind numbers stay upright.
-  const symbols = text => escape(spelled(text))
+  const symbols = text => escape(spelled(elements.certain(text)))
     .replace(/(^|[^\p{L}\d_])([\p{L}]{1,2}'?)_\{?((?:[\p{L}\d∗*]|,(?=[\p{L}\d]))+)\}?/gu, (_, before, letter, index) => `${before}<i>${letter}</i><sub>${index.replace('*', '∗')}</sub>`)
     .replace(/\^\(([^)]+)\)/gu, (_, power) => `<sup>${power.replace('-', '−')}</sup>`)
     .replace(/\^\{?([−-]?\d+(?:\/\d+)?)\}?/gu, (_, power) => `<sup>${power.replace('-', '−')}</sup>`)
     .replace(/(^|[^\p{L}])d(\p{L})\/d(\p{L})(?!\p{L})/gu, '$1d<i>$2</i>/d<i>$3</i>')
     .replace(/(?<=^|[\s(\/=+−·,|²³-])(?![aAI](?![\p{L}\d']))\p{L}'?(?=$|[\s)\/=+−·,|²³.;:-])/gu, (letter, at, whole) =>
-      (/\d\s?(?:\p{L}{1,2}\/)?$/u.test(whole.slice(0, at)) ? letter : `<i>${letter}</i>`));
+      (unit_behind_number.test(whole.slice(0, at) + letter) ? letter : `<i>${letter}</i>`));
 
   // A title along an axis of so many pixels, broken into two lines where it is longer. An axis shorter than that takes
   // the symbol alone, the last word of a label.

@@ -50,12 +50,12 @@ double silhouette(const SolidMesh& mesh, const Extent& across, const Extent& upr
     return std::max(0.0, hit * dy * dz);
 }
 
-/// Nothing of a body that fills a part of the bed rather than stands in the stream.
-std::optional<Front> front_of(const Case& c, const Solid& solid) {
+/// Nothing of a body that fills a part of the bed rather than stands in the stream. `level`: of the water,
+/// over the bed level, m.
+std::optional<Front> front_of(const Case& c, const Solid& solid, double level) {
     if (!solid.rests() || is_bed_shape(solid.shape)) return std::nullopt;
     const auto z = extent_of(c, solid, 2);
     if (!z) return std::nullopt;
-    const double level = c.total_depth();
     if (c.channel.dimensions == 2) {
         const bool stands_on_bed = z->low < 0.5 * c.numerics.spacing;
         const double height = std::min(z->high, level) - z->low;
@@ -78,21 +78,31 @@ std::optional<Front> front_of(const Case& c, const Solid& solid) {
                  std::min(across.high - across.low, upright.high - upright.low)};
 }
 
-/// Bulk velocity of the stream over the window, m/s: between open ends that of what enters.
-std::optional<double> approach_velocity(const FlowRecord& record) {
-    const auto mean = [&](const Field& field) -> std::optional<double> {
-        if (!record.series().has(field)) return std::nullopt;
-        const std::vector<double> values = within_window(record, field);
-        if (values.size() < 2) return std::nullopt;
-        return mean_with_confidence(values).mean;
-    };
+/// Mean of a series over the window.
+std::optional<double> window_mean(const FlowRecord& record, const Field& field) {
+    if (!record.series().has(field)) return std::nullopt;
+    const std::vector<double> values = within_window(record, field);
+    if (values.size() < 2) return std::nullopt;
+    return mean_with_confidence(values).mean;
+}
+
+/// The stream that comes to the bodies, over the window.
+struct Approach {
+    double velocity = 0.0;  ///< bulk velocity, m/s
+    double depth = 0.0;     ///< from the bed level, m
+};
+
+/// Between open ends that of what enters; the depth of such a case is that of the start alone.
+std::optional<Approach> approach(const FlowRecord& record) {
     const Case& c = *record.flow();
-    if (c.channel.ends != Ends::open) return mean(fields::time_series.total_mean_velocity);
-    const auto discharge = mean(fields::time_series.inflow_discharge);
-    const auto depth = mean(fields::time_series.inflow_depth);
-    const double width = c.channel.flow_width();
+    if (c.channel.ends != Ends::open) {
+        const auto velocity = window_mean(record, fields::time_series.total_mean_velocity);
+        return velocity ? std::optional(Approach{*velocity, c.total_depth()}) : std::nullopt;
+    }
+    const auto discharge = window_mean(record, fields::time_series.inflow_discharge);
+    const auto depth = window_mean(record, fields::time_series.inflow_depth);
     if (!discharge || !depth || *depth <= 0.0) return std::nullopt;
-    return *discharge / (width * *depth);
+    return Approach{*discharge / (c.channel.flow_width() * *depth), *depth};
 }
 
 /// The swing of a body that vortices make which leave it in turn: the strongest of lift and side force, where
@@ -127,13 +137,13 @@ double highest_shedding(const FlowRecord& record, double velocity, double extent
 void add_body_coefficients(const FlowRecord& record, Analysis& analysis) {
     const Case& c = *record.flow();
     if (c.solids.empty() || is_undriven(flow_kind(c))) return;
-    const auto velocity = approach_velocity(record);
-    if (!velocity || !(*velocity > 0.0)) return;
+    const auto stream = approach(record);
+    if (!stream || !(stream->velocity > 0.0)) return;
     for (std::size_t k = 0; k < c.solids.size(); ++k) {
         if (c.solids[k].part_of_bed) continue;
-        const auto front = front_of(c, c.solids[k]);
+        const auto front = front_of(c, c.solids[k], stream->depth);
         if (!front || front->area <= 0.0) continue;
-        const double head = 0.5 * c.fluid.density * *velocity * *velocity * front->area;
+        const double head = 0.5 * c.fluid.density * stream->velocity * stream->velocity * front->area;
         const std::string& name = c.solids[k].name;
         const auto add = [&](const Field& field, const char* key, const char* label) {
             const ScalarProbe* const force = find_scalar(record, numbered_name(field, k + 1));
@@ -144,9 +154,12 @@ void add_body_coefficients(const FlowRecord& record, Analysis& analysis) {
                                            trusted_half_width(mean));
             if (finding.half_width) *finding.half_width /= head;
             finding.remark = fmt::format(
-                "with the bulk velocity {:.4g} m/s and {} {:.4g} {}", *velocity,
+                "with the bulk velocity {:.4g} m/s and {} {:.4g} {}", stream->velocity,
                 c.channel.dimensions == 3 ? "the area seen along the channel" : "the height of the body",
                 front->area, c.channel.dimensions == 3 ? "m2" : "m");
+            if (c.channel.ends == Ends::open && c.channel.top == Top::free_surface) {
+                finding.remark += fmt::format(" below the {:.4g} m of the water that comes", stream->depth);
+            }
             analysis.findings.push_back(std::move(finding));
         };
         add(fields::solid_forces.force, "drag_coefficient", "drag coefficient");
@@ -154,11 +167,11 @@ void add_body_coefficients(const FlowRecord& record, Analysis& analysis) {
             Top::free_surface) {  // else it carries the weight of the water that it displaces
             add(fields::solid_forces.lift, "lift_coefficient", "lift coefficient");
         }
-        const auto swing = shedding(record, k + 1, highest_shedding(record, *velocity, front->extent));
+        const auto swing = shedding(record, k + 1, highest_shedding(record, stream->velocity, front->extent));
         if (!swing) continue;
         Finding strouhal = make_finding(chapters::forces, fmt::format("strouhal_number_{}", k + 1),
                                         fmt::format("Strouhal number of \"{}\", f D/U", name), "1",
-                                        swing->frequency * front->extent / *velocity, std::nullopt);
+                                        swing->frequency * front->extent / stream->velocity, std::nullopt);
         strouhal.remark =
             fmt::format("{:.4g} Hz in {:.0f} periods; amplitude of its coefficient {:.3g}; D = {:.4g} m",
                         swing->frequency, swing->periods, swing->amplitude / head, front->extent);

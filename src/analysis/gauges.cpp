@@ -9,6 +9,8 @@
 
 #include "analysis/chapter_names.hpp"
 #include "analysis/figure_tools.hpp"
+#include "case/flow_kind.hpp"
+#include "statistics/confidence.hpp"
 
 namespace riffle::inline analysis {
 
@@ -29,6 +31,15 @@ std::vector<double> running_means(const std::vector<double>& values, std::size_t
     return means;
 }
 
+std::vector<double> window_of(const FlowRecord& record, const ScalarProbe& probe) {
+    const TimeWindow window = record.window();
+    std::vector<double> values;
+    for (std::size_t i = 0; i < probe.value.size(); ++i) {
+        if (window.holds(probe.time[i])) values.push_back(probe.value[i]);
+    }
+    return values;
+}
+
 }  // namespace
 
 void add_gauges(const FlowRecord& record, Analysis& analysis) {
@@ -45,6 +56,14 @@ void add_gauges(const FlowRecord& record, Analysis& analysis) {
         const auto width =
             std::max<std::size_t>(1, static_cast<std::size_t>(std::lround(response_time / interval)));
         const std::vector<double> means = running_means(probe.value, width);
+        const std::vector<double> in_window = window_of(record, probe);
+        // What rises and falls once has no mean that says anything.
+        if (in_window.size() > 1 && record.flow() != nullptr && !is_undriven(flow_kind(*record.flow()))) {
+            const MeanEstimate mean = mean_with_confidence(in_window);
+            analysis.findings.push_back(make_finding(
+                chapters::forces, probe.name + "_" + probe.quantity + "_mean",
+                probe.label + ", mean over the window", probe.unit, mean.mean, trusted_half_width(mean)));
+        }
         const auto largest = std::max_element(means.begin(), means.end());
         const double sample = *std::max_element(probe.value.begin(), probe.value.end());
         Finding finding = make_finding(chapters::forces, probe.name + "_" + probe.quantity + "_largest",
@@ -54,7 +73,9 @@ void add_gauges(const FlowRecord& record, Analysis& analysis) {
                 fmt::format("at t = {:.4g} s; the largest sample is {:.3g} times as large",
                             probe.time[static_cast<std::size_t>(largest - means.begin())], sample / *largest);
         } else {
-            finding.remark = "no water came there";
+            const bool dry =
+                std::all_of(probe.value.begin(), probe.value.end(), [](double p) { return p == 0.0; });
+            finding.remark = dry ? "no water came there" : "it was never above that of the air";
         }
         analysis.findings.push_back(std::move(finding));
         figure.curves.push_back(make_curve(probe.label, record.origin(), Mark::line, thinned(probe.time),

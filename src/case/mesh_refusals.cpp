@@ -2,6 +2,7 @@
 
 #include "case/refusals.hpp"
 #include "case/solid_mesh.hpp"
+#include "case/solid_places.hpp"
 #include "case/units.hpp"
 
 namespace riffle::inline case_file {
@@ -56,7 +57,16 @@ Findings thin_mesh(const Case& c, const Solid& solid) {
     const SolidMesh* const mesh = mesh_of(c, solid);
     for (std::size_t k = 0; mesh != nullptr && k < 3; ++k) {
         const double width = mesh->upper()[k] - mesh->lower()[k];
-        if (width < wall_thickness(c)) {
+        // Behind what stands against a wall there is no water.
+        Point3 before = mesh->lower();
+        Point3 behind = mesh->upper();
+        for (std::size_t other = 0; other < 3; ++other) {
+            if (other == k) continue;
+            before[other] = behind[other] = 0.5 * (mesh->lower()[other] + mesh->upper()[other]);
+        }
+        before[k] -= 1e-6 * c.numerics.spacing;
+        behind[k] += 1e-6 * c.numerics.spacing;
+        if (width < wall_thickness(c) && is_in_channel(c, before) && is_in_channel(c, behind)) {
             return found_if(true, "is only {} wide, less than {} layers of wall particles ({})",
                             shown_length(width), c.numerics.wall_layers, shown_length(wall_thickness(c)));
         }

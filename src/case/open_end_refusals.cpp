@@ -9,6 +9,7 @@
 #include "case/outline.hpp"
 #include "case/outline_check.hpp"
 #include "case/refusals.hpp"
+#include "case/solid_shapes.hpp"
 #include "case/units.hpp"
 
 namespace riffle::inline case_file {
@@ -22,10 +23,13 @@ int ways_to_give_discharge(const Inflow& inflow) {
            (inflow.discharge_file.empty() ? 0 : 1);
 }
 
+/// Cross-sections and beds of heights, which in space end in walls or repeat.
+bool is_bed_in_space(const Case& c, const Solid& solid) { return in_space(c) && is_bed_shape(solid.shape); }
+
 /// Whether something of a solid stands within a distance of either end, unless it carries the water through.
 Findings too_near(const Case& c, const Solid& solid) {
     const auto extent = extent_of(c, solid, 0);
-    if (!extent || solid.is_free()) {
+    if (!extent || solid.is_free() || is_bed_in_space(c, solid)) {
         return {};
     }
     const double clear = open_end_clearance(c);
@@ -423,6 +427,13 @@ CheckList open_end_refusals() {
              "free bodies are held back two kernel supports before either end",
              "move it, or make the channel longer",
              [](const Case& c, const Solid& solid) { return beyond_racks(c, solid); }},
+            {{"channel.ends", "solid.shape"},
+             "a cross-section or a bed of heights in three dimensions",
+             "water enters and leaves over the bed of the channel there, of one depth across its width",
+             "let the ends be periodic or walls, compute it in two dimensions, or build the banks of [[solid]] that end four smoothing lengths before the ends",
+             [](const Case& c, const Solid& solid) {
+                 return found_if(is_bed_in_space(c, solid), "\"{}\" is a bed of its own shape", solid.name);
+             }},
             {{"solid.x", "channel.ends"},
              "a solid in the water that enters or leaves",
              "the water is watched over two kernel supports beside either end",

@@ -29,4 +29,11 @@ std::optional<std::size_t> SolidPlaces::resting_at(const Point3& p,
     return std::nullopt;
 }
 
+bool is_in_channel(const Case& c, const Point3& p) {
+    const bool along = c.channel.ends == Ends::periodic || (p[0] > 0.0 && p[0] < c.channel.length);
+    const bool across = c.channel.dimensions == 2 || c.channel.sides == Sides::periodic ||
+                        (p[1] > 0.0 && p[1] < c.channel.simulated_width());
+    return along && across && p[2] > 0.0 && (c.channel.top != Top::wall || p[2] < c.total_depth());
+}
+
 }  // namespace riffle::inline case_file

@@ -29,4 +29,7 @@ class SolidPlaces {
     std::vector<Outline> outlines_;  ///< two dimensions; empty where they are none
 };
 
+/// Whether there may be water at a place, but for solids: beyond is a wall or the air.
+[[nodiscard]] bool is_in_channel(const Case& c, const Point3& p);
+
 }  // namespace riffle::inline case_file

@@ -1,10 +1,12 @@
 #include <algorithm>
+#include <cmath>
 
 #include "case/bed_friction.hpp"
 #include "case/cross_section.hpp"
 #include "case/end_floor.hpp"
 #include "case/outline_check.hpp"
 #include "case/refusals.hpp"
+#include "case/solid_places.hpp"
 #include "case/units.hpp"
 
 namespace riffle::inline case_file {
@@ -21,6 +23,22 @@ Findings outline_that_fills_all(const Case& c, const Solid& solid) {
                     "fills the whole channel");
 }
 
+/// Whether there may be water on the other side of an outline that is so thick behind the middle of its edge
+/// i, and on this one: what lies on the bed may taper off.
+bool is_water_beyond(const Case& c, const Outline& outline, std::size_t i, double thickness) {
+    const std::size_t j = outline.next(i);
+    const double x = outline.x[j] - outline.x[i];
+    const double z = outline.z[j] - outline.z[i];
+    const double length = std::hypot(x, z);
+    const double side = signed_area(outline) > 0.0 ? 1.0 : -1.0;
+    const auto may_be_water = [&](double inward) {
+        return is_in_channel(c, {0.5 * (outline.x[i] + outline.x[j]) - side * inward * z / length, 0.0,
+                                 0.5 * (outline.z[i] + outline.z[j]) + side * inward * x / length});
+    };
+    const double beyond = 1e-6 * c.numerics.spacing;
+    return may_be_water(thickness + beyond) && may_be_water(-beyond);
+}
+
 /// Water on one side must not reach water on the other, and the layers of wall particles need room.
 Findings thin_outline(const Case& c, const Solid& solid) {
     const Outline outline{solid.x, solid.z};
@@ -31,7 +49,7 @@ Findings thin_outline(const Case& c, const Solid& solid) {
             continue;  // beyond the ends there is no water
         }
         const double thickness = thickness_at(outline, i);
-        if (thickness < wall_thickness(c) * (1 - 1e-9)) {
+        if (thickness < wall_thickness(c) * (1 - 1e-9) && is_water_beyond(c, outline, i, thickness)) {
             return found_if(
                 true,
                 "is {} thick behind the middle of its edge from {} to {}, thinner than {} layers of wall particles ({})",

@@ -58,14 +58,6 @@ std::vector<Point3> places_behind_surface(const Case& c, const Solid& solid, dou
     return places;
 }
 
-/// Whether there may be water at a place, but for solids.
-bool is_in_channel(const Case& c, const Point3& p) {
-    const bool along = c.channel.ends == Ends::periodic || (p[0] > 0.0 && p[0] < c.channel.length);
-    const bool across = !in_space(c) || c.channel.sides == Sides::periodic ||
-                        (p[1] > 0.0 && p[1] < c.channel.simulated_width());
-    return along && across && p[2] > 0.0 && (c.channel.top != Top::wall || p[2] < c.total_depth());
-}
-
 /// A solid at rest all of whose surface stands in others at rest.
 Findings buried(const Case& c, const Solid& solid) {
     if (!solid.rests() || c.solids.size() < 2) {
@@ -116,10 +108,33 @@ Findings spheres_in_spheres(const Case& c, const Solid& solid) {
     return {};
 }
 
+/// A velocity probe of which a point stands in a solid.
+Findings in_solid(const Case& c, const Probe& probe) {
+    if (probe.kind != ProbeKind::velocity || c.solids.empty()) return {};
+    const SolidPlaces solids(c);
+    const auto at = [](const std::vector<double>& values, std::size_t i, double otherwise) {
+        return values.empty() ? otherwise : values[std::min(i, values.size() - 1)];
+    };
+    const std::size_t points = std::max(probe.x.size(), probe.z.size());
+    for (std::size_t i = 0; i < points; ++i) {
+        const Point3 p{at(probe.x, i, 0.0), at(probe.y, i, c.channel.centreline()), at(probe.z, i, 0.0)};
+        if (const auto solid = solids.resting_at(p)) {
+            return found_if(true, "its point at x = {}, z = {} stands in the solid \"{}\"",
+                            shown_length(p[0]), shown_length(p[2]), c.solids[*solid].name);
+        }
+    }
+    return {};
+}
+
 }  // namespace
 
 CheckList solid_warnings() {
     return {{
+        {{"probe.x", "probe.z", "probe.name"},
+         "a point of a velocity probe in a solid",
+         "no water comes there, and it records nothing",
+         "move it",
+         in_solid},
         {{"solid.motion", "channel.dimensions"},
          "a solid in three dimensions that moves faster than 1.5 sqrt(g H)",
          "such a jerk drives the water beside it, and adds energy to it (docs/theory.md, section 9, solids)",

@@ -88,7 +88,7 @@ std::string_view dimension_name(Dimension dimension) {
         case Dimension::acceleration:
             return "an acceleration";
         case Dimension::kinematic_viscosity:
-            return "a kinematic viscosity";
+            return "a kinematic viscosity or a discharge per unit width";
         case Dimension::density:
             return "a density";
         case Dimension::discharge:

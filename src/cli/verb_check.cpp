@@ -82,12 +82,12 @@ nlohmann::ordered_json bed_patches_json(const Forecast& f) {
 
 void print_vegetation(const Forecast& f) {
     for (const VegetationForecast& stems : f.vegetation) {
-        print_row(
-            "vegetation",
-            fmt::format(
-                "{}: a = {:.4g} 1/m, phi = {:.3g}, C_D = {:.3g} at {:.3g} m/s, displacement height {:.3g} mm",
-                stems.name, stems.frontal_area, stems.solid_fraction, stems.drag_coefficient, stems.speed,
-                1e3 * stems.displacement));
+        print_row("vegetation",
+                  fmt::format("{}: a = {:.4g} 1/m, phi = {:.3g}, C_D = {:.3g} at {:.3g} m/s{}", stems.name,
+                              stems.frontal_area, stems.solid_fraction, stems.drag_coefficient, stems.speed,
+                              stems.displacement > 0.0
+                                  ? fmt::format(", displacement height {:.3g} mm", 1e3 * stems.displacement)
+                                  : std::string()));
     }
 }
 

@@ -104,6 +104,17 @@ std::string inflow_text(const Case& c, const FlowAtEnds& states) {
     return text;
 }
 
+/// Where the outflow takes longer to hold its depth than the run lasts: the default lets waves out.
+std::string holding_text(const Case& c, const FlowAtEnds& states) {
+    constexpr double enough = 2.0;  // times e
+    const bool lasts = c.run.until != RunUntil::time || c.run.time >= enough * states.holding_time;
+    if (!states.held_depth || lasts) return "";
+    return fmt::format(
+        "; the depth goes there in some {:.3g} s, and the run ends after {:.3g} s: give a shorter "
+        "outflow.relaxation_time, or run longer",
+        states.holding_time, c.run.time);
+}
+
 /// What rules the water that leaves.
 std::string held_text(const Case& c, const FlowAtEnds& states) {
     const std::string depth =
@@ -145,7 +156,8 @@ std::string outflow_text(const Case& c, const FlowAtEnds& states) {
         text += "; by riffle backwater it is " + millimetres(*end.depth) + " deep";
     }
     const std::string motion = motion_text(end);
-    return text + (motion.empty() || c.outflow.kind == OutflowKind::free_fall ? "" : ", " + motion);
+    return text + (motion.empty() || c.outflow.kind == OutflowKind::free_fall ? "" : ", " + motion) +
+           holding_text(c, states);
 }
 
 /// What the file of a profile leaves open, where that is more than a row of particles; else empty.
@@ -170,11 +182,15 @@ std::string profile_text(const Case& c, const FlowAtEnds& states) {
 }
 
 /// Critical and normal depth at an end, and what the slope is with them; empty without discharge.
-std::string characteristic_text(const FlowAtEnd& end) {
+std::string characteristic_text(const Case& c, const FlowAtEnd& end) {
     if (!end.critical_depth || !(end.critical_depth->largest > 0.0)) return "";
     const Extremes critical = *end.critical_depth;
+    constexpr double noticed_slope = 0.045;  // 1 - cos θ = 1e-3
     std::string text = fmt::format("critical depth {}{}",
-                                   end.critical_of_profile ? "" : "(q²/g)^(1/3) = ", millimetres(critical));
+                                   end.critical_of_profile           ? ""
+                                   : c.channel.slope > noticed_slope ? "(q²/(g cos θ))^(1/3) = "
+                                                                     : "(q²/g)^(1/3) = ",
+                                   millimetres(critical));
     if (end.normal_depth) {
         const Extremes normal = *end.normal_depth;
         text += fmt::format(", normal depth {}", millimetres(normal));
@@ -194,8 +210,8 @@ std::vector<EndFact> end_facts(const Case& c, const FlowAtEnds& states) {
     if (const std::string profile = states.profile_heights ? profile_text(c, states) : ""; !profile.empty()) {
         facts.push_back({"profile of the inflow", profile});
     }
-    const std::string at_inflow = characteristic_text(states.inflow);
-    const std::string at_outflow = characteristic_text(states.outflow);
+    const std::string at_inflow = characteristic_text(c, states.inflow);
+    const std::string at_outflow = characteristic_text(c, states.outflow);
     if (!at_inflow.empty() && (states.one_bed || at_inflow == at_outflow)) {
         facts.push_back({"of this discharge", at_inflow});
     } else if (!at_inflow.empty()) {

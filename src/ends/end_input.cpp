@@ -157,6 +157,31 @@ TimeTable outflow_table(const Case& c, double floor) {
     return table;
 }
 
+/// Throws FileError unless a rating curve reaches as far as what enters: beyond its ends it says nothing.
+void require_covered(const Case& c, const std::vector<double>& rated) {
+    const TimeTable entering = c.inflow.discharge_file.empty()
+                                   ? TimeTable(c.inflow_unit_discharge().value_or(rated.front()))
+                                   : read_time_table(c.inflow.discharge_file, discharge_columns(c), 0.0);
+    const bool in_space = c.channel.dimensions == 3;
+    const double width = in_space ? c.channel.width : 1.0;
+    const auto refuse = [&](const char* end, double at, const char* most, double value) {
+        constexpr double litres = 1000.0;
+        const char* const unit = in_space ? "l/s" : "l/s per metre of width";
+        throw FileError(
+            fmt::format("{}: the rating curve {} at {:.4g} {}, and the {} that enters is {:.4g} {}: add "
+                        "rows, it says nothing beyond its ends",
+                        c.outflow.rating_file.string(), end, litres * width * at, unit, most,
+                        litres * width * value, unit));
+    };
+    constexpr double rounding = 1e-9;
+    if (entering.largest() > rated.back() * (1.0 + rounding)) {
+        refuse("ends", rated.back(), "largest discharge", entering.largest());
+    }
+    if (entering.smallest() < rated.front() * (1.0 - rounding)) {
+        refuse("begins", rated.front(), "least discharge", entering.smallest());
+    }
+}
+
 /// What another kind of outflow holds.
 std::function<double(double, double)> outflow_rule(const Case& c, double floor) {
     const Outflow& outflow = c.outflow;
@@ -186,6 +211,7 @@ std::function<double(double, double)> outflow_rule(const Case& c, double floor) 
                 throw FileError(fmt::format("{}: the discharge does not rise with the depth",
                                             outflow.rating_file.string()));
             }
+            require_covered(c, rating.second);
             return [rating = std::move(rating), over = datum - floor](double q, double) {
                 return place_in(rating.second, q).in(rating.first) + over;
             };

@@ -248,7 +248,10 @@ FlowAtEnds flow_at_ends(const Case& c) {
                               : uniform          ? std::max(*uniform + c.datum(), bed.critical(q, true))
                                         : std::max(of_start, bed.critical(q, states.inflow.floor == 0.0));
         add_depth(c, bed, q, before, states.inflow);
-        if (input.outflow_depth) widen(states.held_depth, at.outflow_depth + floors.downstream - c.datum());
+        if (input.outflow_depth) {
+            widen(states.held_depth, at.outflow_depth + floors.downstream - c.datum());
+            states.holding_time = input.relaxation_time;
+        }
         add_depth(c, bed_at_outflow, q,
                   flow ? flow->depth_at(c.channel.length) + c.datum() : at.outflow_depth, states.outflow);
     }

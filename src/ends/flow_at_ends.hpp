@@ -50,6 +50,7 @@ struct FlowAtEnds {
     bool gives_discharge = true;
     Extremes unit_discharge;                  ///< q, m2/s; where the case gives none that of the start
     std::optional<Extremes> held_depth;       ///< that the outflow holds, over the datum, m
+    double holding_time = 0.0;                ///< in which the depth at the outflow goes to it, s
     bool one_bed = true;                      ///< both ends have the same bed, and stand on it
     std::optional<Extremes> profile_heights;  ///< of the points of inflow.profile_file, over the datum, m
     std::optional<double> reynolds;           ///< of a duct: U, its hydraulic diameter, largest q

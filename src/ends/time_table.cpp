@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <optional>
 #include <utility>
 
 #include "base/error.hpp"
@@ -25,14 +26,19 @@ struct FoundColumn {
     std::vector<double> values;  ///< SI
 };
 FoundColumn find_column(const CsvTable& table, const std::vector<TableColumn>& wanted) {
+    std::optional<FoundColumn> found;
     for (std::size_t i = 0; i < table.columns.size(); ++i) {
         const auto named = std::find_if(wanted.begin(), wanted.end(), [&](const TableColumn& column) {
             return lower_case(table.columns[i].name) == column.name;
         });
-        if (named != wanted.end()) {
-            return {*named, column_in_si(table, i, named->unit)};
+        if (named == wanted.end()) continue;
+        if (found) {
+            throw FileError(fmt::format("{}: there are the columns {} and {}; leave one of them out",
+                                        table.path.string(), found->as.name, named->name));
         }
+        found = {*named, column_in_si(table, i, named->unit)};
     }
+    if (found) return *std::move(found);
     throw FileError(fmt::format("{}: there is no column {}; give the columns names in the first line",
                                 table.path.string(), names_of(wanted)));
 }

@@ -104,12 +104,17 @@ std::vector<Role> roles_of(const CsvTable& table, std::string_view axes) {
     if (any) return roles;
     const std::array positional{Role{Role::Kind::height}, Role{Role::Kind::value},
                                 Role{Role::Kind::uncertainty}};
-    if (roles.size() < 2 || roles.size() > positional.size()) {
-        throw FileError(
-            fmt::format("{}:{}: expected the columns z, u and, if known, the uncertainty of u, or a header "
-                        "that names the columns, like \"z [mm], u [m/s], u_rms [m/s]\"; got {} columns",
-                        table.path.string(), table.header_line > 0 ? table.header_line : table.lines.front(),
-                        roles.size()));
+    // Names that are not known must not become heights and velocities by their order.
+    const bool named = table.header_line > 0;
+    if (named || roles.size() < 2 || roles.size() > positional.size()) {
+        std::string got = fmt::format("{} columns", roles.size());
+        for (std::size_t i = 0; named && i < roles.size(); ++i) {
+            got += fmt::format("{}{}", i == 0 ? ": " : ", ", table.column_name(i));
+        }
+        throw FileError(fmt::format(
+            "{}:{}: expected the columns z, u and, if known, the uncertainty of u without a header, or a "
+            "header that names the columns, like \"z [mm], u [m/s], u_rms [m/s]\"; got {}",
+            table.path.string(), named ? table.header_line : table.lines.front(), got));
     }
     std::copy_n(positional.begin(), roles.size(), roles.begin());
     return roles;

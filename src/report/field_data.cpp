@@ -12,6 +12,7 @@
 #include "case/porous_zone.hpp"
 #include "case/refusals.hpp"
 #include "case/stem_feet.hpp"
+#include "particles/lattice.hpp"
 #include "record/flow_fields.hpp"
 #include "record/particle_fields.hpp"
 #include "report/solid_cuts.hpp"
@@ -46,11 +47,20 @@ void keep_particles(FieldFrame& frame, const Keeps& keeps) {
     }
 }
 
-/// Where the slice of a three-dimensional run lies: the centreline, in half a channel the particles next to
-/// it.
-double slice_place(const Case& c) {
-    return c.channel.sides == Sides::half ? c.channel.simulated_width() - 0.5 * c.numerics.spacing
-                                          : c.channel.centreline();
+/// A slice of a three-dimensional run along the channel, m.
+struct Slice {
+    double y;
+    double thickness;
+};
+
+/// That of the particles which start next to the centreline: between two files of them a slice would have
+/// none or both.
+Slice slice_of(const Case& c) {
+    const Lattice lattice = lattice_of(c);
+    const double file = std::min(std::floor(c.channel.centreline() / lattice.dy), lattice.files - 1.0);
+    // Every other row of a body-centred lattice stands half a spacing beside the file.
+    const double middle = lattice.arrangement == StartLattice::body_centred ? 0.75 : 0.5;
+    return {(file + middle) * lattice.dy, lattice.dy};
 }
 
 FieldFrame read_frame(const RunResults& results, const std::string& group, const Case& c) {
@@ -68,9 +78,9 @@ FieldFrame read_frame(const RunResults& results, const std::string& group, const
     frame.eddy_viscosity = values(of.eddy_viscosity);
     if (c.channel.dimensions == 3) {
         const std::vector<double>& y = position[1];
-        const double middle = slice_place(c);
+        const Slice slice = slice_of(c);
         keep_particles(frame,
-                       [&](std::size_t i) { return std::abs(y[i] - middle) <= 0.5 * c.numerics.spacing; });
+                       [&](std::size_t i) { return std::abs(y[i] - slice.y) <= 0.5 * slice.thickness; });
     }
     return frame;
 }
@@ -212,7 +222,7 @@ std::optional<FieldPicture> read_field(const RunResults& results, const Case& c,
     if (frames == FieldFrames::none) return std::nullopt;
     const bool space = c.channel.dimensions == 3;
     FieldPicture picture;
-    if (space) picture.y = slice_place(c);
+    if (space) picture.y = slice_of(c).y;
     for (const std::string& group : chosen_snapshots(results, c, frames)) {
         FieldFrame frame = read_frame(results, group, c);
         if (frame.x.empty()) continue;

@@ -220,7 +220,8 @@ Forecast forecast_in(const Case& c) {
     for (const Vegetation& stems : c.vegetation) {
         const ReferenceDrag reference = reference_drag(c, stems);
         f.vegetation.push_back({stems.name, stems.frontal_area(), stems.solid_fraction(), reference.speed,
-                                reference.drag_coefficient, displacement_height(stems)});
+                                reference.drag_coefficient,
+                                stems.height < c.total_depth() ? displacement_height(stems) : 0.0});
     }
     f.canal = canal_flow(c);
     for (const BoundaryPlane& rack : body_racks(c)) f.racks.push_back(rack.place);

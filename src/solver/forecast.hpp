@@ -38,7 +38,7 @@ struct VegetationForecast {
     double solid_fraction = 0.0;    ///< phi
     double speed = 0.0;             ///< of the water between the stems, a likely one, m/s
     double drag_coefficient = 0.0;  ///< C_D at it
-    double displacement = 0.0;  ///< where the mixing length above the stems begins, above the bed level, m
+    double displacement = 0.0;      ///< where the mixing length above the stems begins, m; 0 of emergent ones
 };
 
 /// What follows from the keys of a porous zone.

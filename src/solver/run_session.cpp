@@ -184,6 +184,7 @@ void RunSession<D>::restore(const std::filesystem::path& checkpoint,
         // from a results file that is gone must not stop a resume.
         make_simulation_of_case(false);
         restore_state(saved, *simulation_);
+        require_time_left();
         recorder_->restore(saved, results);
         require_rows(results, recorder_->rows(), recorder_->snapshots().entries().size());
         earlier_wall_seconds_ = saved.number("/", "wall_seconds");
@@ -208,6 +209,15 @@ void RunSession<D>::restore(const std::filesystem::path& checkpoint,
     remove_files({files_.failure(), files_.failure_xdmf()});
     log_.info(fmt::format("resumed at t = {:.6g} s, step {}, from {}", simulation_->clock().time,
                           simulation_->clock().steps, checkpoint.filename().string()));
+}
+
+template <int D>
+void RunSession<D>::require_time_left() const {
+    const double reached = simulation_->clock().time;
+    if (reached - simulation_->clock().time_step <= case_.run.time) return;
+    throw InputError(fmt::format(
+        "the run has reached t = {:.6g} s, and --set run.until asks for {:.6g} s: give a later time", reached,
+        case_.run.time));
 }
 
 template <int D>

@@ -37,6 +37,8 @@ class RunSession {
     RunOutcome logged(const F& f);
     void start();
     void restore(const std::filesystem::path& checkpoint, const std::vector<std::string>& warnings);
+    /// Throws InputError where the run is already beyond its end.
+    void require_time_left() const;
     RunOutcome advance();
     void make_simulation_of_case(bool from_start);
     void step(double fields_due);

@@ -3,6 +3,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -30,11 +31,14 @@ class Gauges : public FlowRecord {
     [[nodiscard]] Origin origin() const override { return Origin::simulated; }
     [[nodiscard]] std::string name() const override { return "gauges"; }
     [[nodiscard]] std::string source() const override { return "gauges"; }
-    [[nodiscard]] const Case* flow() const override { return nullptr; }
+    [[nodiscard]] const Case* flow() const override { return flow_ ? &*flow_ : nullptr; }
     [[nodiscard]] TimeWindow window() const override { return {0.0, 1.0}; }
     [[nodiscard]] const std::vector<ScalarProbe>& scalar_probes() const override { return probes_; }
 
+    void flow_in(const Case& c) { flow_ = c; }
+
   private:
+    std::optional<Case> flow_;
     std::vector<ScalarProbe> probes_;
 };
 
@@ -54,6 +58,27 @@ TEST(Gauges, GiveTheLargestMeanOverThreeMilliseconds) {
     EXPECT_THAT(analysis.findings[1].remark, HasSubstr("no water"));
     ASSERT_EQ(analysis.figures.size(), 1U);
     EXPECT_EQ(analysis.figures[0].curves.size(), 2U);
+}
+
+// What is asked of a deck or a sill in a stream; a dam break has no mean that says anything.
+TEST(Gauges, GiveTheMeanOfADrivenFlow) {
+    Gauges record;
+    record.add("under the deck", {-30.0, -10.0, -30.0, -10.0, -30.0, -10.0});
+    Case c;
+    c.channel.slope = 0.002;
+    record.flow_in(c);
+    Analysis analysis;
+    add_gauges(record, analysis);
+    ASSERT_EQ(analysis.findings.size(), 2U);
+    EXPECT_EQ(analysis.findings[0].key, "gauge_pressure_1_mean");
+    EXPECT_DOUBLE_EQ(analysis.findings[0].value, -20.0);
+    EXPECT_THAT(analysis.findings[1].remark, HasSubstr("never above that of the air"));
+    c.channel.slope = 0.0;
+    c.channel.ends = Ends::walls;
+    record.flow_in(c);
+    Analysis closed;
+    add_gauges(record, closed);
+    EXPECT_EQ(closed.findings.size(), 1U);
 }
 
 TEST(Gauges, OfASlowInstrumentAreItsSamples) {

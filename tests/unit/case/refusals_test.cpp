@@ -332,6 +332,8 @@ std::vector<Wrong> wrong_shapes() {
         {with_shape(bed), "solid[0].origin = [1, 2]"},
         {with_shape(bed), "channel.ends = walls; channel.sides = walls; solid[0].blend = 10 mm"},
         {with_shape(bed), "solid[0].blend = 60 mm"},
+        {with_shape(section),
+         "channel.ends = open; inflow.unit_discharge = 0.01; inflow.profile = uniform; outflow.kind = free"},
         {with_shape(section), "solid[0].levels = 0"},
         {with_shape(section), "solid[0].y = [0, 0.1, 0.05]; solid[0].levels = [0.01, 0.01, 0.01]"},
         {with_shape(section), "solid[0].y = [0, 0.08]"},

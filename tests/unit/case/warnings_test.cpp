@@ -244,6 +244,9 @@ TEST(Warnings, EachRowHasACase) {
         with_keys(
             with_solid(),
             "solid[1].name = stone; solid[1].x = [0.09, 0.11, 0.11, 0.09]; solid[1].z = [0, 0, 0.02, 0.02]"),
+        with_keys(
+            with_solid(),
+            "probe[0].name = adv; probe[0].x = [0.1]; probe[0].z = [0.01]; probe[0].sampling_frequency = 50"),
         with_keys(test::with_shape(SolidShape::spheres),
                   "solid[1].name = sand; solid[1].shape = spheres; solid[1].diameter = 10 mm"),
         with_keys(with_solid(),

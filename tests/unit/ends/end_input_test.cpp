@@ -183,6 +183,8 @@ TEST_F(EndFiles, WrongFilesAreToldWithTheirPlace) {
     EXPECT_THAT(message_of(c), ::testing::HasSubstr("back.csv:4"));
     c.inflow.discharge_file = write("names.csv", "time,flow\n0,0.01\n");
     EXPECT_THAT(message_of(c), ::testing::HasSubstr("no column discharge or unit_discharge"));
+    c.inflow.discharge_file = write("both.csv", "time,discharge,unit_discharge\n0,0.01,0.02\n");
+    EXPECT_THAT(message_of(c), ::testing::HasSubstr("columns discharge and unit_discharge; leave one"));
     c.inflow.discharge_file = write("below.csv", "time,unit_discharge\n0,0.01\n3,-0.01\n");
     EXPECT_THAT(message_of(c), ::testing::HasSubstr("below.csv:3"));
     c.inflow.discharge_file = write("hole.csv", "time,unit_discharge\n0,0.01\n3,\n");
@@ -233,6 +235,13 @@ TEST_F(EndFiles, ARatingCurveGivesTheDepth) {
     c.outflow.kind = OutflowKind::rating_curve;
     c.outflow.rating_file = write("rating.csv", "depth [mm],unit_discharge [m2/s]\n20,0\n60,0.02\n");
     EXPECT_NEAR(read_end_input(c).outflow_depth(0.01, 0.0), 0.046, 1e-12);
+    // Beyond its ends it says nothing.
+    c.outflow.rating_file = write("short.csv", "depth [mm],unit_discharge [m2/s]\n20,0\n60,0.019\n");
+    EXPECT_THAT(message_of(c),
+                ::testing::HasSubstr("ends at 19 l/s per metre of width, and the largest discharge "
+                                     "that enters is 20 l/s"));
+    c.outflow.rating_file = write("late.csv", "depth [mm],unit_discharge [m2/s]\n60,0.021\n90,0.04\n");
+    EXPECT_THAT(message_of(c), ::testing::HasSubstr("begins at 21 l/s"));
     c.outflow.rating_file = write("falls.csv", "depth [mm],unit_discharge [m2/s]\n20,0.02\n60,0.01\n");
     EXPECT_THAT(message_of(c), ::testing::HasSubstr("does not rise"));
 }

@@ -50,7 +50,8 @@ TEST_F(Costs, ReportOfThreeDimensionsShowsASliceAlongTheCentreline) {
     const ReportData data = collect_report_data(folder_ / "space.h5");
     ASSERT_TRUE(data.field.has_value());
     ASSERT_TRUE(data.field->y.has_value());
-    EXPECT_DOUBLE_EQ(*data.field->y, data.flow.channel.centreline());
+    // In the middle of the file of particles beside it: between two files a slice has none or both.
+    EXPECT_NEAR(*data.field->y, data.flow.channel.centreline(), 0.51 * data.flow.numerics.spacing);
     ASSERT_FALSE(data.field->frames.empty());
     EXPECT_FALSE(data.field->frames.back().x.empty());
     // Between side walls the mean over the width has no measured value beside it.

@@ -194,7 +194,9 @@ class Sample {
 
     void snapshot() {
         const auto along = static_cast<std::size_t>(std::lround(c_.channel.length / c_.numerics.spacing));
-        const double across = c_.channel.dimensions == 3 ? c_.channel.centreline() : 0.0;
+        // Beside the centreline, where a file of the lattice would be.
+        const double across =
+            c_.channel.dimensions == 3 ? c_.channel.centreline() + 0.25 * c_.numerics.spacing : 0.0;
         std::vector<double> position, speed, pressure, viscosity, density;
         for (std::size_t i = 0; i < along; ++i) {
             for (const double z : heights_) {
