@@ -21,6 +21,7 @@
 #include "column/twin_reaches.hpp"
 #include "column/uniform_rating.hpp"
 #include "ends/flow_of_results.hpp"
+#include "ends/narrowest_opening.hpp"
 #include "ends/section_state.hpp"
 #include "hydraulics/varied_flow.hpp"
 #include "laboratory/profile_record.hpp"
@@ -230,8 +231,13 @@ void add_duct(const Case& c, double floor, EndInput& input) {
     input.duct = true;
     const double narrow = c.total_depth() - floor;
     const double velocity = input.entering->largest() * input.unit_discharge->largest() / narrow;
+    // What leaves more than this open makes no jet that is faster than the waters beside a body.
+    constexpr double widest = 0.72;
+    constexpr double contraction = 0.61;                                     // of a jet from a sharp edge
+    const double opening = narrowest_opening(c) * c.total_depth() / narrow;  // over that of the inflow
+    input.jet_velocity = opening < widest ? velocity / (contraction * std::max(opening, 0.01)) : velocity;
     // Only differences of the pressure act; so the water is nowhere under tension.
-    input.outflow_pressure = velocity * velocity;
+    input.outflow_pressure = input.jet_velocity * input.jet_velocity;
     // Sound passes the duct in L/c0, twice as long as which lets most of it out; the sound speed is at least
     // ten times the velocity.
     const double time = velocity > 0.0 ? 0.1 * c.channel.length / velocity : 0.0;
@@ -332,8 +338,8 @@ EndExtremes end_extremes(const Case& c, const EndInput& input) {
     EndExtremes extremes{.depth = c.total_depth(), .velocity = 0.0};
     double least_depth = c.total_depth() - floor;
     if (is_duct(c)) {
-        extremes.velocity =
-            std::max(input.entering->largest() * q / least_depth, c.start.velocity.value_or(0.0));
+        extremes.velocity = std::max({input.entering->largest() * q / least_depth, input.jet_velocity,
+                                      c.start.velocity.value_or(0.0)});
         return extremes;
     }
     if (input.inflow_depth) {

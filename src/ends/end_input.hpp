@@ -24,6 +24,7 @@ struct EndInput {
     double relaxation_time = 0.0;            ///< of the depth or the pressure at the outflow, s
     double inflow_relaxation_time = 0.0;     ///< of the discharge at the inflow, s
     bool duct = false;                       ///< water between the bed and a wall at the top
+    double jet_velocity = 0.0;               ///< of a duct: largest of the jets behind what narrows it, m/s
     double outflow_pressure = 0.0;           ///< of a duct, over the density, m2/s2
 };
 

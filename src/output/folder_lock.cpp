@@ -2,6 +2,7 @@
 
 #include <fcntl.h>
 #include <fmt/format.h>
+#include <sys/stat.h>
 #include <unistd.h>
 
 #include <array>
@@ -64,7 +65,7 @@ std::string refusal(const std::filesystem::path& folder, FolderLock::Work work, 
 
 bool LockHolder::on_this_host() const { return host == host_name(); }
 
-FolderLock::FolderLock(const std::filesystem::path& folder, Work work) {
+FolderLock::FolderLock(const std::filesystem::path& folder, Work work) : path_(lock_file(folder, work)) {
     std::error_code error;
     std::filesystem::create_directories(folder, error);
     if (error) {
@@ -72,7 +73,7 @@ FolderLock::FolderLock(const std::filesystem::path& folder, Work work) {
                                     folder.string(), error.message()));
     }
     try {
-        file_ = FileDescriptor(lock_file(folder, work), O_RDWR | O_CREAT);
+        file_ = FileDescriptor(path_, O_RDWR | O_CREAT);
         struct flock lock = whole_file();
         if (::fcntl(file_.get(), F_OFD_SETLK, &lock) != 0) {  // NOLINT(*-vararg)
             if (errno == EAGAIN || errno == EACCES) {
@@ -84,9 +85,16 @@ FolderLock::FolderLock(const std::filesystem::path& folder, Work work) {
         file_.resize(0);
         file_.write_at(0, std::as_bytes(std::span(line)));
     } catch (const std::system_error& fault) {
-        throw FileError(fmt::format("cannot write to the folder {}: {}", folder.string(),
-                                    explain(fault.code(), lock_file(folder, work))));
+        throw FileError(
+            fmt::format("cannot write to the folder {}: {}", folder.string(), explain(fault.code(), path_)));
     }
+}
+
+bool FolderLock::in_place() const {
+    struct stat ours {};
+    struct stat there {};
+    return ::fstat(file_.get(), &ours) == 0 && ::stat(path_.c_str(), &there) == 0 &&
+           ours.st_dev == there.st_dev && ours.st_ino == there.st_ino;
 }
 
 FolderLock::Standing FolderLock::standing(const std::filesystem::path& folder, Work work) {

@@ -28,6 +28,9 @@ class FolderLock {
     /// Whether this file system has locks at all; else nothing keeps other processes out.
     [[nodiscard]] bool holds() const { return holds_; }
 
+    /// Whether the lock still stands in its folder: not where the folder was removed, or is now another's.
+    [[nodiscard]] bool in_place() const;
+
     /// How the lock of a folder stands.
     struct Standing {
         bool known = false;                ///< whether there is a lock that can be looked at
@@ -36,6 +39,7 @@ class FolderLock {
     [[nodiscard]] static Standing standing(const std::filesystem::path& folder, Work work);
 
   private:
+    std::filesystem::path path_;
     FileDescriptor file_;
     bool holds_ = true;
 };

@@ -67,7 +67,7 @@ RunOutcome run_case(const Case& c, const RunOptions& given) {
                         "-o, or replace them with --force",
                         options.folder.string(), options.folder.string()));
     }
-    return in_dimensions(c, [&]<int D>() { return RunSession<D>(c, options).run(); });
+    return in_dimensions(c, [&]<int D>() { return RunSession<D>(c, options, lock).run(); });
 }
 
 RunOutcome resume_run(const RunOptions& given, const fs::path& checkpoint,
@@ -104,7 +104,7 @@ RunOutcome resume_run(const RunOptions& given, const fs::path& checkpoint,
     // Before any of its files is read: one that is gone or another one is said to be so.
     const std::vector<std::string> warnings = compare_identity(checkpoint_file, c);
     check_runnable(c);
-    return in_dimensions(c, [&]<int D>() { return RunSession<D>(c, options).resume(from, warnings); });
+    return in_dimensions(c, [&]<int D>() { return RunSession<D>(c, options, lock).resume(from, warnings); });
 }
 
 }  // namespace riffle::inline solver

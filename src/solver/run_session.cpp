@@ -77,8 +77,12 @@ void require_rows(const ResultsReader& results, const std::map<std::string, std:
 }  // namespace
 
 template <int D>
-RunSession<D>::RunSession(Case c, RunOptions options)
-    : case_(std::move(c)), options_(std::move(options)), files_{options_.folder}, log_(files_.log()) {
+RunSession<D>::RunSession(Case c, RunOptions options, const FolderLock& lock)
+    : case_(std::move(c)),
+      options_(std::move(options)),
+      lock_(lock),
+      files_{options_.folder},
+      log_(files_.log()) {
     set_thread_count(options_.threads);
     twins_ = solve_twins(case_);
     relaxation_time_ = tested_relaxation_time(case_, twins_).value_or(0.0);
@@ -184,7 +188,7 @@ void RunSession<D>::restore(const std::filesystem::path& checkpoint,
         // from a results file that is gone must not stop a resume.
         make_simulation_of_case(false);
         restore_state(saved, *simulation_);
-        require_time_left();
+        tell_of_past_end();
         recorder_->restore(saved, results);
         require_rows(results, recorder_->rows(), recorder_->snapshots().entries().size());
         earlier_wall_seconds_ = saved.number("/", "wall_seconds");
@@ -212,12 +216,11 @@ void RunSession<D>::restore(const std::filesystem::path& checkpoint,
 }
 
 template <int D>
-void RunSession<D>::require_time_left() const {
+void RunSession<D>::tell_of_past_end() {
     const double reached = simulation_->clock().time;
     if (reached - simulation_->clock().time_step <= case_.run.time) return;
-    throw InputError(fmt::format(
-        "the run has reached t = {:.6g} s, and --set run.until asks for {:.6g} s: give a later time", reached,
-        case_.run.time));
+    tell(fmt::format("the run has reached t = {:.6g} s, and run.until is {:.6g} s: it ends where it is",
+                     reached, case_.run.time));
 }
 
 template <int D>

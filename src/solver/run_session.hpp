@@ -6,6 +6,7 @@
 
 #include "boundary/body_racks.hpp"
 #include "ends/end_events.hpp"
+#include "output/folder_lock.hpp"
 #include "solver/recorder.hpp"
 #include "solver/run.hpp"
 #include "solver/run_log.hpp"
@@ -17,7 +18,8 @@ namespace riffle::inline solver {
 template <int D>
 class RunSession {
   public:
-    RunSession(Case c, RunOptions options);
+    /// `lock`: of the folder of the run, held as long as the session lives.
+    RunSession(Case c, RunOptions options, const FolderLock& lock);
 
     /// Run from t = 0: create the results file and the first checkpoint, advance to the end, writing on the
     /// way. What ends the run by an error is told in the log too.
@@ -37,8 +39,10 @@ class RunSession {
     RunOutcome logged(const F& f);
     void start();
     void restore(const std::filesystem::path& checkpoint, const std::vector<std::string>& warnings);
-    /// Throws InputError where the run is already beyond its end.
-    void require_time_left() const;
+    /// Throws FileError where the folder was removed while the run went on: another run may be at work there.
+    void require_own_folder() const;
+    /// Say where a run that is gone on with is beyond its end.
+    void tell_of_past_end();
     RunOutcome advance();
     void make_simulation_of_case(bool from_start);
     void step(double fields_due);
@@ -66,6 +70,7 @@ class RunSession {
 
     Case case_;
     RunOptions options_;
+    const FolderLock& lock_;
     RunFiles files_;
     RunLog log_;
     std::string run_id_;

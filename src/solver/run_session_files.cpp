@@ -76,7 +76,17 @@ void RunSession<D>::write_out(Moment moment) {
 }
 
 template <int D>
+void RunSession<D>::require_own_folder() const {
+    if (!lock_.holds() || lock_.in_place()) return;
+    throw FileError(
+        fmt::format("the folder {} was removed or moved while the run went on, and may be another run's now: "
+                    "this one ends without writing there; start it again, in a folder of its own",
+                    files_.folder.string()));
+}
+
+template <int D>
 void RunSession<D>::write_results(Moment moment) {
+    require_own_folder();
     Content content = recorder_->take_new_rows();
     content.compression = case_.output.compression;
     add_run_attributes(content, moment);
@@ -93,6 +103,7 @@ void RunSession<D>::write_results(Moment moment) {
 
 template <int D>
 void RunSession<D>::write_checkpoint() {
+    require_own_folder();
     Content content;
     const auto number = [&](const char* name, double value) { add_attribute(content, "/", name, value); };
     number("time", simulation_->clock().time);
@@ -143,6 +154,8 @@ void RunSession<D>::add_run_attributes(Content& content, Moment moment) const {
 // What run_session.cpp calls.
 template std::string RunSession<2>::leave_failure(const RunError&);
 template std::string RunSession<3>::leave_failure(const RunError&);
+template void RunSession<2>::require_own_folder() const;
+template void RunSession<3>::require_own_folder() const;
 template void RunSession<2>::write_results(Moment);
 template void RunSession<3>::write_results(Moment);
 template void RunSession<2>::write_out(Moment);

@@ -45,6 +45,19 @@ class OneProcess(CommandLineTest):
         first.communicate()
         self.succeed("resume", folder, "-q", "-j", 1, *until(0.01))
 
+    def test_a_run_whose_folder_was_moved_leaves_that_of_the_next_run_alone(self):
+        folder = self.folder / "run"
+        first = self.begin(folder, "run", CASE, "-o", folder, "-j", 1, *SMALL, *until(10000), *OFTEN)
+        folder.rename(self.folder / "moved")
+        second = self.begin(folder)
+        errors = first.communicate(timeout=60)[1]
+        self.assertEqual(first.returncode, 3, errors)
+        self.assertIn("was removed or moved while the run went on", errors)
+        self.assertIsNone(second.poll())
+        second.send_signal(signal.SIGTERM)
+        second.communicate(timeout=60)
+        self.succeed("verify", folder)
+
     def test_of_many_that_start_at_once_one_runs(self):
         folder = self.folder / "run"
         processes = [start("run", CASE, "-o", folder, "-j", 1, "-q", *SMALL, *until(0.3)) for _ in range(6)]

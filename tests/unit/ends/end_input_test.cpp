@@ -10,6 +10,7 @@
 
 #include "base/error.hpp"
 #include "column/column.hpp"
+#include "ends/narrowest_opening.hpp"
 #include "ends/section_state.hpp"
 #include "particles/lattice.hpp"
 #include "temporary_folder.hpp"
@@ -164,6 +165,34 @@ TEST(EndInput, TheEndsOfADuctKeepTheRelaxationTimesOfTheCase) {
     const EndInput given = read("relaxation_time = 2\n", "relaxation_time = 3\n");
     EXPECT_EQ(given.inflow_relaxation_time, 2.0);
     EXPECT_EQ(given.relaxation_time, 3.0);
+}
+
+// The jet behind a sill must not draw the water apart, and its sound speed is that of the jet; what leaves
+// most of the duct open, as a cylinder does, changes nothing.
+TEST(EndInput, ADuctWithAConstrictionHasThePressureForItsJet) {
+    const auto duct = [](double sill) {
+        Case c = parse_case(
+            "[channel]\nslope = 0\ndepth = \"200 mm\"\nlength = \"2 m\"\nends = \"open\"\ntop = \"wall\"\n"
+            "[inflow]\nunit_discharge = 0.1\nprofile = \"uniform\"\n[outflow]\nkind = \"pressure\"\n"
+            "[bed]\nkind = \"slip\"\n[turbulence]\nclosure = \"none\"\n[numerics]\nspacing = \"10 mm\"\n"
+            "[start]\nkind = \"uniform\"\n[run]\nuntil = \"1 s\"\n",
+            "test");
+        if (sill > 0.0) {
+            Solid solid;
+            solid.name = "sill";
+            solid.x = {0.6, 0.8, 0.8, 0.6};
+            solid.z = {0.0, 0.0, sill, sill};
+            c.solids = {solid};
+        }
+        return c;
+    };
+    EXPECT_DOUBLE_EQ(narrowest_opening(duct(0.0)), 1.0);
+    EXPECT_DOUBLE_EQ(narrowest_opening(duct(0.1)), 0.5);
+    EXPECT_DOUBLE_EQ(read_end_input(duct(0.0)).outflow_pressure, 0.25);
+    EXPECT_DOUBLE_EQ(read_end_input(duct(0.04)).outflow_pressure, 0.25);
+    const double jet = 0.5 / (0.61 * 0.5);
+    EXPECT_NEAR(read_end_input(duct(0.1)).outflow_pressure, jet * jet, 1e-9);
+    EXPECT_NEAR(end_extremes(duct(0.1), read_end_input(duct(0.1))).velocity, jet, 1e-9);
 }
 
 TEST_F(EndFiles, AHydrographIsReadInItsUnits) {
