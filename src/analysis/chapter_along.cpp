@@ -256,12 +256,13 @@ void analyse_along(const FlowRecord& record, Analysis& analysis) {
     Figure figure = make_figure(
         chapters::along, "long_profile", "Long profile",
         fmt::format(
-            "Bed, bodies{} and the time mean of the surface along the {}, above the bed level, which falls "
+            "Bed{} and the time mean of the surface along the {}, above the bed level, which falls "
             "with the slope {:.4g}; band: 95 % interval of the mean; dashes: lowest and highest recorded "
             "level.",
-            std::any_of(c.solids.begin(), c.solids.end(), std::mem_fn(&Solid::is_free))
-                ? ", free ones where they stand at the end,"
-                : "",
+            space ? ""
+            : std::any_of(c.solids.begin(), c.solids.end(), std::mem_fn(&Solid::is_free))
+                ? ", bodies, free ones where they stand at the end,"
+                : ", bodies",
             space ? "centreline" : "channel", c.channel.slope),
         "", make_axis("distance along the channel x", "m"), make_axis("height above the bed level z", "m"));
     figure.x.from = 0.0;
