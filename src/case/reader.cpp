@@ -265,10 +265,6 @@ Case parse_case(const std::string& text, const std::string& name, const std::fil
                              &c.inflow.results, &c.outflow.depth_file, &c.outflow.rating_file}) {
         *file = resolved(*file, path);
     }
-    // As on the command line, the folder of a run stands for its results.
-    for (auto* const results : {&c.start.file, &c.inflow.results}) {
-        if (std::error_code none; std::filesystem::is_directory(*results, none)) *results /= "results.h5";
-    }
     for (Solid& solid : c.solids) {
         solid.file = resolved(solid.file, path);
         solid.heights = resolved(solid.heights, path);

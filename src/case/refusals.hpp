@@ -81,11 +81,13 @@ inline bool is_lost(const Case& c, const std::filesystem::path& file) {
 }
 
 [[nodiscard]] inline CaseCheck lost_file(const char* id, std::string_view what, bool (*lost)(const Case&)) {
-    return {{id},
-            what,
-            "there is no such file",
-            "correct the name (relative names start from the folder of the case file) or remove the key",
-            lost};
+    return {
+        {id},
+        what,
+        "there is no such file",
+        "correct the name (relative names start from the folder of the case file; of a run give its results.h5, not its "
+        "folder) or remove the key",
+        lost};
 }
 
 /// Stretch beside each open end over which the water is watched, and which solids must leave free, m.

@@ -35,7 +35,7 @@ SectionKeys start_keys() {
                          .applies_with(kind, {"standing-wave"}));
     s.keys.push_back(
         key("file", &Start::file,
-            "results: the file to start from, or the folder of its run; isotropic: CSV table of the energy spectrum, columns "
+            "results: the file to start from; isotropic: CSV table of the energy spectrum, columns "
             "`wavenumber` [1/m] and `energy` [m3/s2], whose integral is the kinetic energy per mass.")
             .applies_with(kind, {"results", "isotropic"}));
     s.keys.push_back(

@@ -148,7 +148,7 @@ class Ties(CommandLineTest):
     def test_a_start_file_that_has_changed_is_told(self):
         folder = self.folder / "next"
         self.succeed("run", CASE, "-o", folder, "-q", "-j", 1, *SMALL, *until(0.1), "--set", "start.kind=results", "--set",
-                     f'start.file="{self.run}"')  # the folder stands for its results
+                     f'start.file="{self.run / "results.h5"}"')
         self.succeed("resume", self.run, "-q", "-j", 1, *until(0.25))
         result = self.succeed("resume", folder, "-j", 1, *until(0.15))
         self.assertIn("start.file", result.stderr)
