@@ -9,6 +9,7 @@
 
 #include "analysis/chapter_names.hpp"
 #include "analysis/figure_tools.hpp"
+#include "case/end_floor.hpp"
 #include "case/flow_kind.hpp"
 #include "case/outline_check.hpp"
 #include "case/solid_mesh.hpp"
@@ -101,8 +102,9 @@ std::optional<Approach> approach(const FlowRecord& record) {
     }
     const auto discharge = window_mean(record, fields::time_series.inflow_discharge);
     const auto depth = window_mean(record, fields::time_series.inflow_depth);
-    if (!discharge || !depth || *depth <= 0.0) return std::nullopt;
-    return Approach{*discharge / (c.channel.flow_width() * *depth), *depth};
+    if (!discharge || !depth || *depth <= end_floors(c).upstream) return std::nullopt;
+    const double over_floor = *depth - end_floors(c).upstream;
+    return Approach{*discharge / (c.channel.flow_width() * over_floor), *depth};
 }
 
 /// The swing of a body that vortices make which leave it in turn: the strongest of lift and side force, where

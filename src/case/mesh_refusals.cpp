@@ -1,4 +1,7 @@
 #include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
 
 #include "case/refusals.hpp"
 #include "case/solid_mesh.hpp"
@@ -53,20 +56,34 @@ Findings mesh_that_fills_all(const Case& c, const Solid& solid) {
                : Findings{};
 }
 
+/// Whether there may be water on one side alone of a solid along an axis: what rests against a wall has none
+/// behind it. A plane of symmetry is no wall.
+bool stands_against_wall(const Case& c, const Solid& solid, const SolidMesh& mesh, std::size_t axis) {
+    const double infinite = std::numeric_limits<double>::infinity();
+    const std::array extent{c.channel.ends == Ends::periodic ? infinite : c.channel.length,
+                            c.channel.sides == Sides::periodic ? infinite : c.channel.simulated_width(),
+                            c.channel.top == Top::wall ? c.total_depth() : infinite};
+    Point3 before = mesh.lower();
+    Point3 behind = mesh.upper();
+    for (std::size_t k = 0; k < 3; ++k) {
+        if (k == axis) continue;
+        const double low = std::isinf(extent[k]) && k < 2 ? mesh.lower()[k] : std::max(mesh.lower()[k], 0.0);
+        before[k] = behind[k] = 0.5 * (low + std::min(mesh.upper()[k], extent[k]));
+    }
+    before[axis] -= 1e-6 * c.numerics.spacing;
+    behind[axis] += 1e-6 * c.numerics.spacing;
+    const bool mirrored =
+        axis == 1 && c.channel.sides == Sides::half && behind[1] >= c.channel.simulated_width();
+    const bool water_before = is_in_channel(c, before);
+    const bool water_behind = mirrored || is_in_channel(c, behind);
+    return solid.rests() && water_before != water_behind;
+}
+
 Findings thin_mesh(const Case& c, const Solid& solid) {
     const SolidMesh* const mesh = mesh_of(c, solid);
     for (std::size_t k = 0; mesh != nullptr && k < 3; ++k) {
         const double width = mesh->upper()[k] - mesh->lower()[k];
-        // Behind what stands against a wall there is no water.
-        Point3 before = mesh->lower();
-        Point3 behind = mesh->upper();
-        for (std::size_t other = 0; other < 3; ++other) {
-            if (other == k) continue;
-            before[other] = behind[other] = 0.5 * (mesh->lower()[other] + mesh->upper()[other]);
-        }
-        before[k] -= 1e-6 * c.numerics.spacing;
-        behind[k] += 1e-6 * c.numerics.spacing;
-        if (width < wall_thickness(c) && is_in_channel(c, before) && is_in_channel(c, behind)) {
+        if (width < wall_thickness(c) && !stands_against_wall(c, solid, *mesh, k)) {
             return found_if(true, "is only {} wide, less than {} layers of wall particles ({})",
                             shown_length(width), c.numerics.wall_layers, shown_length(wall_thickness(c)));
         }

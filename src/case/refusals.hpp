@@ -80,14 +80,19 @@ inline bool is_lost(const Case& c, const std::filesystem::path& file) {
     return !c.path.empty() && !file.empty() && !std::filesystem::is_regular_file(file, error);
 }
 
-[[nodiscard]] inline CaseCheck lost_file(const char* id, std::string_view what, bool (*lost)(const Case&)) {
-    return {
-        {id},
-        what,
-        "there is no such file",
-        "correct the name (relative names start from the folder of the case file; of a run give its results.h5, not its "
-        "folder) or remove the key",
-        lost};
+[[nodiscard]] inline CaseCheck lost_file(
+    const char* id, std::string_view what, bool (*lost)(const Case&),
+    std::string_view cure =
+        "correct the name (relative names start from the folder of the case file) or remove the key") {
+    return {{id}, what, "there is no such file", cure, lost};
+}
+/// The same of the results of a run, whose folder is taken for them on the command line alone.
+[[nodiscard]] inline CaseCheck lost_results(const char* id, std::string_view what,
+                                            bool (*lost)(const Case&)) {
+    return lost_file(
+        id, what, lost,
+        "correct the name (relative names start from the folder of the case file; of a run give its "
+        "results.h5, not its folder) or remove the key");
 }
 
 /// Stretch beside each open end over which the water is watched, and which solids must leave free, m.

@@ -23,9 +23,9 @@ Findings outline_that_fills_all(const Case& c, const Solid& solid) {
                     "fills the whole channel");
 }
 
-/// Whether there may be water on the other side of an outline that is so thick behind the middle of its edge
-/// i, and on this one: what lies on the bed may taper off.
-bool is_water_beyond(const Case& c, const Outline& outline, std::size_t i, double thickness) {
+/// Whether there may be water on one side alone of an outline that is so thick behind the middle of its edge
+/// i: what lies on the bed may taper off.
+bool lies_on_wall(const Case& c, const Outline& outline, std::size_t i, double thickness) {
     const std::size_t j = outline.next(i);
     const double x = outline.x[j] - outline.x[i];
     const double z = outline.z[j] - outline.z[i];
@@ -36,7 +36,7 @@ bool is_water_beyond(const Case& c, const Outline& outline, std::size_t i, doubl
                                  0.5 * (outline.z[i] + outline.z[j]) + side * inward * x / length});
     };
     const double beyond = 1e-6 * c.numerics.spacing;
-    return may_be_water(thickness + beyond) && may_be_water(-beyond);
+    return may_be_water(thickness + beyond) != may_be_water(-beyond);
 }
 
 /// Water on one side must not reach water on the other, and the layers of wall particles need room.
@@ -49,7 +49,8 @@ Findings thin_outline(const Case& c, const Solid& solid) {
             continue;  // beyond the ends there is no water
         }
         const double thickness = thickness_at(outline, i);
-        if (thickness < wall_thickness(c) * (1 - 1e-9) && is_water_beyond(c, outline, i, thickness)) {
+        const bool tapers = solid.rests() && lies_on_wall(c, outline, i, thickness);
+        if (thickness < wall_thickness(c) * (1 - 1e-9) && !tapers) {
             return found_if(
                 true,
                 "is {} thick behind the middle of its edge from {} to {}, thinner than {} layers of wall particles ({})",

@@ -83,8 +83,8 @@ CheckList start_refusals() {
          [](const Case& c) {
              return found_if(starts_as(c, StartKind::isotropic) && c.start.file.empty(), "file is missing");
          }},
-        lost_file("start.file", "a `file` that is not there",
-                  [](const Case& c) { return is_lost(c, c.start.file); }),
+        lost_results("start.file", "a `file` that is not there",
+                     [](const Case& c) { return is_lost(c, c.start.file); }),
         lost_file("measured.velocity_profile", "a `velocity_profile` that is not there",
                   [](const Case& c) { return is_lost(c, c.measured.velocity_profile); }),
         {{"start.amplitude", "start.kind"},

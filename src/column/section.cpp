@@ -100,8 +100,10 @@ Eigen::VectorXd solve_balance(const Case& c, const SectionGrid& grid, const Sect
     const SectionBalance coarse_balance(c, coarse);
     const Eigen::VectorXd start = solve_balance(c, coarse, coarse_balance, across, over_depth);
     constexpr double steady = 1e9;  // s
-    return approach_balance(c, balance, velocities_on(grid, section_result(c, coarse, coarse_balance, start)),
-                            steady);
+    // The result has the velocity in the pores of porous zones, the balance that of the discharge.
+    Eigen::VectorXd u = velocities_on(grid, section_result(c, coarse, coarse_balance, start));
+    for (Eigen::Index i = 0; i < u.size(); ++i) u(i) *= balance.porosity(i);
+    return approach_balance(c, balance, u, steady);
 }
 
 /// E-folding time of the slowest mode of small departures: the largest eigenvalue of J^-1 M, M the areas, by

@@ -104,11 +104,16 @@ std::string inflow_text(const Case& c, const FlowAtEnds& states) {
     return text;
 }
 
-/// Where the outflow takes longer to hold its depth than the run lasts: the default lets waves out.
+/// Where the outflow takes longer to bring the depth of the start to the one that it holds than the run
+/// lasts: the default lets waves out.
 std::string holding_text(const Case& c, const FlowAtEnds& states) {
+    if (!states.held_depth || c.outflow.relaxation_time || c.run.until != RunUntil::time) return "";
     constexpr double enough = 2.0;  // times e
-    const bool lasts = c.run.until != RunUntil::time || c.run.time >= enough * states.holding_time;
-    if (!states.held_depth || lasts) return "";
+    if (c.run.time >= enough * states.holding_time) return "";
+    constexpr double same = 1e-3;
+    const Extremes held = *states.held_depth;
+    const double start = c.start.kind == StartKind::backwater ? held.least : c.channel.depth;
+    if (std::max(std::abs(held.largest - start), std::abs(held.least - start)) <= same * start) return "";
     return fmt::format(
         "; the depth goes there in some {:.3g} s, and the run ends after {:.3g} s: give a shorter "
         "outflow.relaxation_time, or run longer",

@@ -158,11 +158,18 @@ TimeTable outflow_table(const Case& c, double floor) {
     return table;
 }
 
-/// Throws FileError unless a rating curve reaches as far as what enters: beyond its ends it says nothing.
-void require_covered(const Case& c, const std::vector<double>& rated) {
-    const TimeTable entering = c.inflow.discharge_file.empty()
-                                   ? TimeTable(c.inflow_unit_discharge().value_or(rated.front()))
-                                   : read_time_table(c.inflow.discharge_file, discharge_columns(c), 0.0);
+/// Throws FileError unless a rating curve reaches as far as what enters in the time of the run: beyond its
+/// ends it says nothing.
+void require_covered(const Case& c, const std::optional<TimeTable>& entering,
+                     const std::vector<double>& rated) {
+    if (!entering) return;
+    double least = entering->at(c.run.time);
+    double largest = least;
+    for (const double time : entering->times()) {
+        if (time > c.run.time) break;
+        least = std::min(least, entering->at(time));
+        largest = std::max(largest, entering->at(time));
+    }
     const bool in_space = c.channel.dimensions == 3;
     const double width = in_space ? c.channel.width : 1.0;
     const auto refuse = [&](const char* end, double at, const char* most, double value) {
@@ -175,16 +182,13 @@ void require_covered(const Case& c, const std::vector<double>& rated) {
                         litres * width * value, unit));
     };
     constexpr double rounding = 1e-9;
-    if (entering.largest() > rated.back() * (1.0 + rounding)) {
-        refuse("ends", rated.back(), "largest discharge", entering.largest());
-    }
-    if (entering.smallest() < rated.front() * (1.0 - rounding)) {
-        refuse("begins", rated.front(), "least discharge", entering.smallest());
-    }
+    if (largest > rated.back() * (1.0 + rounding)) refuse("ends", rated.back(), "largest discharge", largest);
+    if (least < rated.front() * (1.0 - rounding)) refuse("begins", rated.front(), "least discharge", least);
 }
 
 /// What another kind of outflow holds.
-std::function<double(double, double)> outflow_rule(const Case& c, double floor) {
+std::function<double(double, double)> outflow_rule(const Case& c, const std::optional<TimeTable>& entering,
+                                                   double floor) {
     const Outflow& outflow = c.outflow;
     const double g = c.normal_gravity();
     const double datum = c.datum();
@@ -212,7 +216,7 @@ std::function<double(double, double)> outflow_rule(const Case& c, double floor) 
                 throw FileError(fmt::format("{}: the discharge does not rise with the depth",
                                             outflow.rating_file.string()));
             }
-            require_covered(c, rating.second);
+            require_covered(c, entering, rating.second);
             return [rating = std::move(rating), over = datum - floor](double q, double) {
                 return place_in(rating.second, q).in(rating.first) + over;
             };
@@ -231,11 +235,13 @@ void add_duct(const Case& c, double floor, EndInput& input) {
     input.duct = true;
     const double narrow = c.total_depth() - floor;
     const double velocity = input.entering->largest() * input.unit_discharge->largest() / narrow;
-    // What leaves more than this open makes no jet that is faster than the waters beside a body.
-    constexpr double widest = 0.72;
+    // What leaves more than `widest` open makes no jet that is faster than the water beside a body.
+    constexpr double widest = 0.74;
+    constexpr double jet_alone = 0.70;
     constexpr double contraction = 0.61;                                     // of a jet from a sharp edge
     const double opening = narrowest_opening(c) * c.total_depth() / narrow;  // over that of the inflow
-    input.jet_velocity = opening < widest ? velocity / (contraction * std::max(opening, 0.01)) : velocity;
+    const double part = std::clamp((widest - opening) / (widest - jet_alone), 0.0, 1.0);
+    input.jet_velocity = velocity * (1.0 + part * (1.0 / (contraction * std::max(opening, 0.01)) - 1.0));
     // Only differences of the pressure act; so the water is nowhere under tension.
     input.outflow_pressure = input.jet_velocity * input.jet_velocity;
     // Sound passes the duct in L/c0, twice as long as which lets most of it out; the sound speed is at least
@@ -306,7 +312,7 @@ EndInput read_end_levels(const Case& c) {
                 return table.at(time);
             };
         } else {
-            input.outflow_depth = outflow_rule(c, floors.downstream);
+            input.outflow_depth = outflow_rule(c, input.unit_discharge, floors.downstream);
         }
         constexpr double times = 5.0;
         input.inflow_relaxation_time =

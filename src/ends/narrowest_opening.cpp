@@ -12,12 +12,13 @@ namespace {
 
 /// The part of the section at a place that no solid at rest takes up.
 double open_share(const Case& c, const SolidPlaces& solids, double x) {
+    // A slit is seen by the spacing, and a large duct costs no more than a cell of eddies.
+    const auto points = [&](double extent) {
+        return std::clamp(static_cast<int>(std::lround(extent / c.numerics.spacing)), 24, 64);
+    };
     const bool in_space = c.channel.dimensions == 3;
-    constexpr int coarse = 24;
-    const int rows =
-        in_space ? coarse
-                 : std::max(coarse, static_cast<int>(std::lround(c.total_depth() / c.numerics.spacing)));
-    const int files = in_space ? coarse : 1;
+    const int rows = points(c.total_depth());
+    const int files = in_space ? points(c.channel.simulated_width()) : 1;
     int open = 0;
     for (int i = 0; i < files; ++i) {
         for (int k = 0; k < rows; ++k) {
@@ -39,7 +40,7 @@ double narrowest_opening(const Case& c) {
         if (!along) continue;
         const double from = std::max(along->low, 0.0);
         const double to = std::min(along->high, c.channel.length);
-        const int sections = std::max(1, static_cast<int>(std::ceil((to - from) / c.numerics.spacing)));
+        const int sections = std::clamp(static_cast<int>(std::ceil((to - from) / c.numerics.spacing)), 1, 64);
         for (int i = 0; i < sections; ++i) {
             least = std::min(least, open_share(c, solids, from + (to - from) * (i + 0.5) / sections));
         }

@@ -61,6 +61,13 @@ std::string refusal(const std::filesystem::path& folder, FolderLock::Work work, 
         holder.process > 0 ? std::to_string(holder.process) : "PROCESS");
 }
 
+/// Which file or folder stands under a name; none where there is none.
+std::optional<FileIdentity> identity_of(const std::filesystem::path& path) {
+    struct stat found {};
+    if (::stat(path.c_str(), &found) != 0) return std::nullopt;
+    return FileIdentity{found.st_dev, found.st_ino};
+}
+
 }  // namespace
 
 bool LockHolder::on_this_host() const { return host == host_name(); }
@@ -74,6 +81,8 @@ FolderLock::FolderLock(const std::filesystem::path& folder, Work work) : path_(l
     }
     try {
         file_ = FileDescriptor(path_, O_RDWR | O_CREAT);
+        lock_ = identity_of(path_);
+        folder_ = identity_of(folder);
         struct flock lock = whole_file();
         if (::fcntl(file_.get(), F_OFD_SETLK, &lock) != 0) {  // NOLINT(*-vararg)
             if (errno == EAGAIN || errno == EACCES) {
@@ -91,10 +100,9 @@ FolderLock::FolderLock(const std::filesystem::path& folder, Work work) : path_(l
 }
 
 bool FolderLock::in_place() const {
-    struct stat ours {};
-    struct stat there {};
-    return ::fstat(file_.get(), &ours) == 0 && ::stat(path_.c_str(), &there) == 0 &&
-           ours.st_dev == there.st_dev && ours.st_ino == there.st_ino;
+    const std::optional<FileIdentity> there = identity_of(path_);
+    // A lock that was tidied away is no other run's.
+    return there ? there == lock_ : identity_of(path_.parent_path()) == folder_;
 }
 
 FolderLock::Standing FolderLock::standing(const std::filesystem::path& folder, Work work) {

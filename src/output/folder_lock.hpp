@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <filesystem>
 #include <optional>
 #include <string>
@@ -13,6 +14,13 @@ struct LockHolder {
     int process = 0;
     std::string host;
     [[nodiscard]] bool on_this_host() const;
+};
+
+/// What a file or a folder is, whatever its name.
+struct FileIdentity {
+    std::uint64_t device = 0;
+    std::uint64_t number = 0;
+    bool operator==(const FileIdentity&) const = default;
 };
 
 /// Keeps two processes from working in one folder. Processes that are forked while it is held share it: it
@@ -40,6 +48,8 @@ class FolderLock {
 
   private:
     std::filesystem::path path_;
+    std::optional<FileIdentity> lock_;
+    std::optional<FileIdentity> folder_;
     FileDescriptor file_;
     bool holds_ = true;
 };

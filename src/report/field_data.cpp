@@ -58,9 +58,7 @@ struct Slice {
 Slice slice_of(const Case& c) {
     const Lattice lattice = lattice_of(c);
     const double file = std::min(std::floor(c.channel.centreline() / lattice.dy), lattice.files - 1.0);
-    // Every other row of a body-centred lattice stands half a spacing beside the file.
-    const double middle = lattice.arrangement == StartLattice::body_centred ? 0.75 : 0.5;
-    return {(file + middle) * lattice.dy, lattice.dy};
+    return {(file + 0.5) * lattice.dy, lattice.dy};
 }
 
 FieldFrame read_frame(const RunResults& results, const std::string& group, const Case& c) {

@@ -66,6 +66,14 @@ TEST(Solids, NeedRoomForTheirLayersAndAPlaceInTheChannel) {
     // What tapers off on the bed has no water behind it.
     EXPECT_EQ(error_of(with_solid("[0.06, 0.1, 0.14]", "[0, 0.02, 0]")), "");
     EXPECT_THAT(error_of(with_solid("[0.06, 0.1, 0.14]", "[0.03, 0.034, 0.03]")), HasSubstr("thinner than"));
+    // Nor does a plate that lies there until it is lifted; and a wall goes on being thin where it goes
+    // through the bed.
+    EXPECT_EQ(error_of(with_solid("[0.06, 0.14, 0.14, 0.06]", "[0, 0, 0.002, 0.002]")), "");
+    EXPECT_THAT(error_of(with_solid("[0.06, 0.14, 0.14, 0.06]",
+                                    "[0, 0, 0.002, 0.002]\nmotion = \"constant\"\nvelocity_z = 0.01")),
+                HasSubstr("thinner than"));
+    EXPECT_THAT(error_of(with_solid("[0.1, 0.102, 0.102, 0.1]", "[-0.1, -0.1, 0.03, 0.03]")),
+                HasSubstr("thinner than"));
     EXPECT_THAT(error_of(with_solid("[0.28, 0.32, 0.32, 0.28]", step_z)),
                 HasSubstr("outside of the channel"));
     EXPECT_THAT(error_of(with_solid("[0, 0.2, 0.2, 0]", "[0, 0, 0.2, 0.2]")), HasSubstr("no water is left"));

@@ -269,6 +269,14 @@ TEST_F(EndFiles, ARatingCurveGivesTheDepth) {
     EXPECT_THAT(message_of(c),
                 ::testing::HasSubstr("ends at 19 l/s per metre of width, and the largest discharge "
                                      "that enters is 20 l/s"));
+    // Rows that come after the end of the run count for nothing.
+    Case flood = c;
+    flood.inflow.unit_discharge.reset();
+    flood.inflow.discharge_file = write("flood.csv", "time,unit_discharge\n0,0.01\n20,0.019\n600,0.08\n");
+    flood.run.time = 15.0;
+    EXPECT_EQ(message_of(flood), "");
+    flood.run.time = 30.0;
+    EXPECT_THAT(message_of(flood), ::testing::HasSubstr("largest discharge that enters is 20"));
     c.outflow.rating_file = write("late.csv", "depth [mm],unit_discharge [m2/s]\n60,0.021\n90,0.04\n");
     EXPECT_THAT(message_of(c), ::testing::HasSubstr("begins at 21 l/s"));
     c.outflow.rating_file = write("falls.csv", "depth [mm],unit_discharge [m2/s]\n20,0.02\n60,0.01\n");
