@@ -97,8 +97,8 @@ void add_canal(const FlowRecord& record, const CanalFlow& canal, Analysis& analy
 /// Whether the surface at a place of the centreline is next to a face of a solid at rest, where it reads up
 /// to a third of a spacing low (docs/free-surface.md).
 bool is_beside_solid(const Case& c, const SolidPlaces& solids, double x, double level) {
+    const double dx = c.numerics.spacing;
     for (const double spacings : {-1.5, -1.0, -0.5, 0.5, 1.0, 1.5}) {
-        const double dx = c.numerics.spacing;
         if (solids.resting_at({x + spacings * dx, c.channel.centreline(), level - 0.5 * dx})) return true;
     }
     return false;

@@ -31,15 +31,6 @@ std::vector<double> running_means(const std::vector<double>& values, std::size_t
     return means;
 }
 
-std::vector<double> window_of(const FlowRecord& record, const ScalarProbe& probe) {
-    const TimeWindow window = record.window();
-    std::vector<double> values;
-    for (std::size_t i = 0; i < probe.value.size(); ++i) {
-        if (window.holds(probe.time[i])) values.push_back(probe.value[i]);
-    }
-    return values;
-}
-
 }  // namespace
 
 void add_gauges(const FlowRecord& record, Analysis& analysis) {
@@ -56,10 +47,9 @@ void add_gauges(const FlowRecord& record, Analysis& analysis) {
         const auto width =
             std::max<std::size_t>(1, static_cast<std::size_t>(std::lround(response_time / interval)));
         const std::vector<double> means = running_means(probe.value, width);
-        const std::vector<double> in_window = window_of(record, probe);
         // What rises and falls once has no mean that says anything.
-        if (in_window.size() > 1 && record.flow() != nullptr && !is_undriven(flow_kind(*record.flow()))) {
-            const MeanEstimate mean = mean_with_confidence(in_window);
+        if (record.flow() != nullptr && !is_undriven(flow_kind(*record.flow()))) {
+            const MeanEstimate mean = mean_with_confidence(probe.value);
             analysis.findings.push_back(make_finding(
                 chapters::forces, probe.name + "_" + probe.quantity + "_mean",
                 probe.label + ", mean over the window", probe.unit, mean.mean, trusted_half_width(mean)));

@@ -1,7 +1,4 @@
 #include <algorithm>
-#include <array>
-#include <cmath>
-#include <limits>
 
 #include "case/refusals.hpp"
 #include "case/solid_mesh.hpp"
@@ -59,16 +56,13 @@ Findings mesh_that_fills_all(const Case& c, const Solid& solid) {
 /// Whether there may be water on one side alone of a solid along an axis: what rests against a wall has none
 /// behind it. A plane of symmetry is no wall.
 bool stands_against_wall(const Case& c, const Solid& solid, const SolidMesh& mesh, std::size_t axis) {
-    const double infinite = std::numeric_limits<double>::infinity();
-    const std::array extent{c.channel.ends == Ends::periodic ? infinite : c.channel.length,
-                            c.channel.sides == Sides::periodic ? infinite : c.channel.simulated_width(),
-                            c.channel.top == Top::wall ? c.total_depth() : infinite};
     Point3 before = mesh.lower();
     Point3 behind = mesh.upper();
     for (std::size_t k = 0; k < 3; ++k) {
         if (k == axis) continue;
-        const double low = std::isinf(extent[k]) && k < 2 ? mesh.lower()[k] : std::max(mesh.lower()[k], 0.0);
-        before[k] = behind[k] = 0.5 * (low + std::min(mesh.upper()[k], extent[k]));
+        const PatchRange range = water_range(c, k);
+        before[k] = behind[k] =
+            0.5 * (std::max(mesh.lower()[k], range.from) + std::min(mesh.upper()[k], range.to));
     }
     before[axis] -= 1e-6 * c.numerics.spacing;
     behind[axis] += 1e-6 * c.numerics.spacing;

@@ -134,13 +134,18 @@ double ceiling_above(const Outline& outline, double x, double z) {
     return std::isfinite(lowest) ? lowest : z;
 }
 
-double thickness_at(const Outline& outline, std::size_t i) {
+EdgeMiddle middle_of_edge(const Outline& outline, std::size_t i) {
     const Point a = corner(outline, i);
     const Point b = corner(outline, outline.next(i));
     const double length = std::hypot(b.x - a.x, b.z - a.z);
     const double side = signed_area(outline) > 0.0 ? 1.0 : -1.0;
-    const Point inward{-side * (b.z - a.z) / length, side * (b.x - a.x) / length};
-    const Point middle{0.5 * (a.x + b.x), 0.5 * (a.z + b.z)};
+    return {0.5 * (a.x + b.x), 0.5 * (a.z + b.z), -side * (b.z - a.z) / length, side * (b.x - a.x) / length};
+}
+
+double thickness_at(const Outline& outline, std::size_t i) {
+    const EdgeMiddle edge = middle_of_edge(outline, i);
+    const Point inward{edge.inward_x, edge.inward_z};
+    const Point middle{edge.x, edge.z};
     double least = std::numeric_limits<double>::infinity();
     for (std::size_t j = 0; j < outline.size(); ++j) {
         if (j == i) continue;

@@ -58,6 +58,13 @@ template <class F>
 /// where it does not meet it.
 [[nodiscard]] double ceiling_above(const Outline& outline, double x, double z);
 
+/// The middle of edge i, m, and the unit vector at right angles to it into the outline.
+struct EdgeMiddle {
+    double x, z;
+    double inward_x, inward_z;
+};
+[[nodiscard]] EdgeMiddle middle_of_edge(const Outline& outline, std::size_t i);
+
 /// Length of the straight way into the outline from the middle of edge i, at right angles to it, up to the
 /// first other edge, m.
 [[nodiscard]] double thickness_at(const Outline& outline, std::size_t i);

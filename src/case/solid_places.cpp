@@ -1,5 +1,7 @@
 #include "case/solid_places.hpp"
 
+#include <limits>
+
 #include "case/solid_mesh.hpp"
 
 namespace riffle::inline case_file {
@@ -29,11 +31,22 @@ std::optional<std::size_t> SolidPlaces::resting_at(const Point3& p,
     return std::nullopt;
 }
 
+PatchRange water_range(const Case& c, std::size_t axis) {
+    constexpr double infinite = std::numeric_limits<double>::infinity();
+    const bool repeats[] = {c.channel.ends == Ends::periodic,
+                            c.channel.dimensions == 2 || c.channel.sides == Sides::periodic, false};
+    if (repeats[axis]) return {-infinite, infinite};
+    const double to[] = {c.channel.length, c.channel.simulated_width(),
+                         c.channel.top == Top::wall ? c.total_depth() : infinite};
+    return {0.0, to[axis]};
+}
+
 bool is_in_channel(const Case& c, const Point3& p) {
-    const bool along = c.channel.ends == Ends::periodic || (p[0] > 0.0 && p[0] < c.channel.length);
-    const bool across = c.channel.dimensions == 2 || c.channel.sides == Sides::periodic ||
-                        (p[1] > 0.0 && p[1] < c.channel.simulated_width());
-    return along && across && p[2] > 0.0 && (c.channel.top != Top::wall || p[2] < c.total_depth());
+    for (std::size_t axis = 0; axis < p.size(); ++axis) {
+        const PatchRange range = water_range(c, axis);
+        if (p[axis] <= range.from || p[axis] >= range.to) return false;
+    }
+    return true;
 }
 
 }  // namespace riffle::inline case_file

@@ -7,6 +7,7 @@
 
 #include "case/case.hpp"
 #include "case/outline.hpp"
+#include "case/plan_outline.hpp"
 #include "case/triangle.hpp"
 
 namespace riffle::inline case_file {
@@ -29,7 +30,11 @@ class SolidPlaces {
     std::vector<Outline> outlines_;  ///< two dimensions; empty where they are none
 };
 
-/// Whether there may be water at a place, but for solids: beyond is a wall or the air.
+/// Where there may be water along an axis, but for solids, m: beyond is a wall. Without bounds where the
+/// channel repeats, or is open to the air.
+[[nodiscard]] PatchRange water_range(const Case& c, std::size_t axis);
+
+/// Whether there may be water at a place, but for solids.
 [[nodiscard]] bool is_in_channel(const Case& c, const Point3& p);
 
 }  // namespace riffle::inline case_file

@@ -1,5 +1,4 @@
 #include <algorithm>
-#include <cmath>
 
 #include "case/bed_friction.hpp"
 #include "case/cross_section.hpp"
@@ -26,14 +25,9 @@ Findings outline_that_fills_all(const Case& c, const Solid& solid) {
 /// Whether there may be water on one side alone of an outline that is so thick behind the middle of its edge
 /// i: what lies on the bed may taper off.
 bool lies_on_wall(const Case& c, const Outline& outline, std::size_t i, double thickness) {
-    const std::size_t j = outline.next(i);
-    const double x = outline.x[j] - outline.x[i];
-    const double z = outline.z[j] - outline.z[i];
-    const double length = std::hypot(x, z);
-    const double side = signed_area(outline) > 0.0 ? 1.0 : -1.0;
+    const EdgeMiddle edge = middle_of_edge(outline, i);
     const auto may_be_water = [&](double inward) {
-        return is_in_channel(c, {0.5 * (outline.x[i] + outline.x[j]) - side * inward * z / length, 0.0,
-                                 0.5 * (outline.z[i] + outline.z[j]) + side * inward * x / length});
+        return is_in_channel(c, {edge.x + inward * edge.inward_x, 0.0, edge.z + inward * edge.inward_z});
     };
     const double beyond = 1e-6 * c.numerics.spacing;
     return may_be_water(thickness + beyond) != may_be_water(-beyond);

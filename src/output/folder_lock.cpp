@@ -61,11 +61,18 @@ std::string refusal(const std::filesystem::path& folder, FolderLock::Work work, 
         holder.process > 0 ? std::to_string(holder.process) : "PROCESS");
 }
 
+FileIdentity identity(const struct stat& found) { return {found.st_dev, found.st_ino}; }
+
 /// Which file or folder stands under a name; none where there is none.
 std::optional<FileIdentity> identity_of(const std::filesystem::path& path) {
     struct stat found {};
-    if (::stat(path.c_str(), &found) != 0) return std::nullopt;
-    return FileIdentity{found.st_dev, found.st_ino};
+    return ::stat(path.c_str(), &found) == 0 ? std::optional(identity(found)) : std::nullopt;
+}
+
+/// Which file is open.
+std::optional<FileIdentity> identity_of(const FileDescriptor& file) {
+    struct stat found {};
+    return ::fstat(file.get(), &found) == 0 ? std::optional(identity(found)) : std::nullopt;
 }
 
 }  // namespace
@@ -81,7 +88,6 @@ FolderLock::FolderLock(const std::filesystem::path& folder, Work work) : path_(l
     }
     try {
         file_ = FileDescriptor(path_, O_RDWR | O_CREAT);
-        lock_ = identity_of(path_);
         folder_ = identity_of(folder);
         struct flock lock = whole_file();
         if (::fcntl(file_.get(), F_OFD_SETLK, &lock) != 0) {  // NOLINT(*-vararg)
@@ -102,7 +108,7 @@ FolderLock::FolderLock(const std::filesystem::path& folder, Work work) : path_(l
 bool FolderLock::in_place() const {
     const std::optional<FileIdentity> there = identity_of(path_);
     // A lock that was tidied away is no other run's.
-    return there ? there == lock_ : identity_of(path_.parent_path()) == folder_;
+    return there ? there == identity_of(file_) : identity_of(path_.parent_path()) == folder_;
 }
 
 FolderLock::Standing FolderLock::standing(const std::filesystem::path& folder, Work work) {

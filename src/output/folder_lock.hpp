@@ -48,7 +48,6 @@ class FolderLock {
 
   private:
     std::filesystem::path path_;
-    std::optional<FileIdentity> lock_;
     std::optional<FileIdentity> folder_;
     FileDescriptor file_;
     bool holds_ = true;

@@ -62,7 +62,7 @@ def _one_jump(study, check, froude, axes, colour):
     x, mean = _roller(check, f"Fr {froude} at the inflow", flow, q, start)
     exact = backwater(study, case, 0.0, "--discharge", f"{q} m2/s", "--upstream", "20mm", "--downstream", f"{tailwater}mm", "--length", str(length), "--stations", "1001")
     figures.exact(axes, x, exact(x), "riffle backwater" if froude == 3 else None)
-    figures.simulated(axes, x, mean, f"Fr {froude} at the inflow", colour, most=200)
+    figures.simulated(axes, x, mean, f"Fr {froude} at the inflow, from {start} s on", colour, most=200)
     if froude == 3:
         check.best, check.cost = options_text(flow), flow.cost_text
         account(check, flow)
@@ -72,7 +72,7 @@ def jump(study):
     check = Check("open_jump", "Hydraulic jumps",
                   "The depth of the water behind the jump, without the gaps in it, against the one whose momentum function is that of the water before it (Bélanger), where the particles' jump stands.")
     figure = figures.Figure(1, width=7)
-    axes = figure.panel("distance along the channel x (m)", "level (m)", "mean from 5 s on")
+    axes = figure.panel("distance along the channel x (m)", "level (m)", "mean level")
     for number, froude in enumerate([3] if study.quick else JUMPS):
         _one_jump(study, check, froude, axes, figures.COLOURS[number])
     check.figures.append((figure.svg(check.name), "Mean level along the channel; the jump of the theory has no length."))
