@@ -15,7 +15,6 @@
 #include "base/not_a_number.hpp"
 #include "case/flow_kind.hpp"
 #include "case/porous_zone.hpp"
-#include "case/solid_places.hpp"
 #include "column/canal_flow.hpp"
 #include "ends/end_input.hpp"
 #include "record/flow_fields.hpp"
@@ -94,22 +93,10 @@ void add_canal(const FlowRecord& record, const CanalFlow& canal, Analysis& analy
         canal.discharge);
 }
 
-/// Whether the surface at a place of the centreline is next to a face of a solid at rest, where it reads up
-/// to a third of a spacing low (docs/free-surface.md).
-bool is_beside_solid(const Case& c, const SolidPlaces& solids, double x, double level) {
-    const double dx = c.numerics.spacing;
-    for (const double spacings : {-1.5, -1.0, -0.5, 0.5, 1.0, 1.5}) {
-        if (solids.resting_at({x + spacings * dx, c.channel.centreline(), level - 0.5 * dx})) return true;
-    }
-    return false;
-}
-
-void add_extreme(const Case& c, const LongProfile& profile, bool highest, Analysis& analysis) {
-    const SolidPlaces solids(c);
+void add_extreme(const LongProfile& profile, bool highest, Analysis& analysis) {
     std::size_t at = profile.x.size();
     for (std::size_t i = 0; i < profile.x.size(); ++i) {
         if (!std::isfinite(profile.level[i])) continue;
-        if (!highest && is_beside_solid(c, solids, profile.x[i], profile.level[i])) continue;
         const bool further = at == profile.x.size() || (highest ? profile.level[i] > profile.level[at]
                                                                 : profile.level[i] < profile.level[at]);
         if (further) at = i;
@@ -325,8 +312,8 @@ void analyse_along(const FlowRecord& record, Analysis& analysis) {
             " The energy line and the critical level take one velocity over the height of the water, q/h.";
     }
     analysis.figures.push_back(std::move(figure));
-    add_extreme(c, profile, true, analysis);
-    add_extreme(c, profile, false, analysis);
+    add_extreme(profile, true, analysis);
+    add_extreme(profile, false, analysis);
     if (heads) add_velocity(profile, *heads, analysis);
     if (c.channel.ends == Ends::open) add_ends(record, analysis);
 }

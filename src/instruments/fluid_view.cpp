@@ -4,10 +4,10 @@
 #include <cmath>
 #include <limits>
 
+#include "boundary/wall.hpp"
 #include "case/porous_zone.hpp"
 #include "particles/lattice.hpp"
 #include "sph/correction.hpp"
-#include "sph/free_surface.hpp"
 #include "sph/kernel_registry.hpp"
 
 namespace riffle::inline instruments {
@@ -145,8 +145,10 @@ typename FluidViewIn<D>::Positions FluidViewIn<D>::positions() const {
 }
 
 template <int D>
-FluidViewIn<D>::FluidViewIn(const Case& c, const Particles<D>& particles, double h)
+FluidViewIn<D>::FluidViewIn(const Case& c, const Particles<D>& particles, double h,
+                            const WallParticles<D>* walls)
     : particles_(particles),
+      walls_(walls),
       domain_(domain_of<D>(c)),
       kernel_(c.numerics.kernel),
       h_(h),
@@ -292,8 +294,20 @@ template <int D>
 std::vector<double> FluidViewIn<D>::surface_at(std::span<const Vec<2>> at) const {
     std::vector<Vec<D - 1>> places(at.size());
     for (std::size_t i = 0; i < at.size(); ++i) std::copy_n(at[i].begin(), D - 1, places[i].begin());
-    return find_surface<D>(detection_, surface_threshold_, {domain_, positions(), volume_, kernel_, h_},
-                           places);
+    return find_surface<D>(detection_, surface_threshold_,
+                           {domain_, positions(), volume_, kernel_, h_, solids()}, places);
+}
+
+template <int D>
+SolidParticles<D> FluidViewIn<D>::solids() const {
+    SolidParticles<D> solids;
+    for (std::size_t i = 0; walls_ != nullptr && i < walls_->size(); ++i) {
+        // Behind end walls and side walls stand mirror images of the water.
+        if (!is_solid(*walls_, i) && walls_->position[D - 1][i] >= 0.0) continue;
+        for (std::size_t k = 0; k < D; ++k) solids.position[k].push_back(walls_->position[k][i]);
+        solids.volume.push_back(walls_->volume[i]);
+    }
+    return solids;
 }
 
 template <int D>

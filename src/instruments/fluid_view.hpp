@@ -11,6 +11,7 @@
 #include "particles/particle_cells.hpp"
 #include "particles/particles.hpp"
 #include "particles/working_values.hpp"
+#include "sph/free_surface.hpp"
 
 namespace riffle::inline instruments {
 
@@ -93,8 +94,10 @@ class FluidView {
 template <int D>
 class FluidViewIn final : public FluidView {
   public:
-    /// `h`: smoothing length, m.
-    FluidViewIn(const Case& c, const Particles<D>& particles, double h);
+    /// `h`: smoothing length, m. `walls`: whose bed and solids the surface reckons with; null where they are
+    /// not known, and levels within two smoothing lengths of them are low.
+    FluidViewIn(const Case& c, const Particles<D>& particles, double h,
+                const WallParticles<D>* walls = nullptr);
 
     [[nodiscard]] Velocity velocity_at(const Vec<3>& point) const override;
     [[nodiscard]] Flow flow_at(const Vec<3>& point, const WorkingValues& pressure,
@@ -114,6 +117,7 @@ class FluidViewIn final : public FluidView {
         std::vector<std::size_t> of;  ///< particle of each image
     };
     using Positions = typename ParticleCells<D>::Positions;
+    [[nodiscard]] SolidParticles<D> solids() const;
     [[nodiscard]] static Mirrored mirror(const Case& c, const Particles<D>& particles, double reach);
     [[nodiscard]] Positions positions() const;
     /// Values at a point of the linear fields that fit those of the particles around it best; NaN where it is
@@ -126,6 +130,7 @@ class FluidViewIn final : public FluidView {
     void weigh_around(const Vec<3>& point, const F& f) const;
 
     const Particles<D>& particles_;
+    const WallParticles<D>* walls_;
     Domain<D> domain_;
     KernelKind kernel_;
     double h_;

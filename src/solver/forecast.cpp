@@ -140,7 +140,9 @@ void forecast_probes(const Case& c, const SimulationIn<D>& simulation, double st
     const Scheme& scheme = simulation.scheme();
     const ProbeSet probes(c, largest_step(c, scheme));
     f.probe_notes = probes.notes();
-    const auto make_view = [&] { return FluidViewIn<D>(c, simulation.particles(), scheme.smoothing_length); };
+    const auto make_view = [&] {
+        return FluidViewIn<D>(c, simulation.particles(), scheme.smoothing_length, &simulation.walls());
+    };
     const FluidViewIn<D> view = make_view();
     const FlowState state = flow_state(simulation, &view);
     // Instruments that are due together share one view: its cost is that of the fastest, by frequency.

@@ -150,7 +150,8 @@ void Recorder::record(SimulationIn<D>& simulation) {
     if (!looked_up && !snapshots_.shows_viscosity()) drop_fields(true);
     if (fluid_due) {
         // One view of the fluid serves the surface and all instruments.
-        const FluidViewIn<D> fluid(case_, simulation.particles(), simulation.scheme().smoothing_length);
+        const FluidViewIn<D> fluid(case_, simulation.particles(), simulation.scheme().smoothing_length,
+                                   &simulation.walls());
         if (surface_due) mean_level_ = surface_.record(time, fluid);
         if (map_due) map_.record(time, fluid);
         if (started) probes_.record(flow_state(simulation, &fluid), true);

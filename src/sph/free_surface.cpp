@@ -20,9 +20,9 @@ constexpr std::size_t places_per_block = 16;
 template <int D>
 class Columns {
   public:
-    explicit Columns(const FluidParticles<D>& fluid)
-        : cells_(fluid.domain, fluid.position, 2.0 * fluid.smoothing_length,
-                 ParticleCells<D>::Shape::columns) {}
+    explicit Columns(const FluidParticles<D>& fluid) : Columns(fluid, fluid.position) {}
+    Columns(const FluidParticles<D>& fluid, const typename ParticleCells<D>::Positions& position)
+        : cells_(fluid.domain, position, 2.0 * fluid.smoothing_length, ParticleCells<D>::Shape::columns) {}
 
     /// Indices of the particles in the columns around a place.
     void around(const Vec<D - 1>& place, std::vector<std::size_t>& result) const {
@@ -55,14 +55,14 @@ struct Near {
     double height;
 };
 
-/// Sum of term(particle, squared distance) at a height over the particles within 2h.
+/// Sum of term(near, squared distance) at a height over the particles within 2h.
 template <class Term>
 double sum_at(double z, const std::vector<Near>& near, double h, const Term& term) {
     double sum = 0.0;
     for (const Near& n : near) {
         const double rz = z - n.height;
         const double squared = n.horizontal_squared + rz * rz;
-        if (squared < 4.0 * h * h) sum += term(n.particle, squared);
+        if (squared < 4.0 * h * h) sum += term(n, squared);
     }
     return sum;
 }
@@ -95,37 +95,85 @@ double crossing(const Field& field, double threshold, double inside, double outs
     return between();
 }
 
-/// Elevation where a sum over particles, term(particle, squared distance), first reaches the threshold on the
-/// way down.
+/// The particles of one kind around a place, and those of them that reach a stretch of heights.
+template <int D>
+class Around {
+  public:
+    Around(const Columns<D>& columns, double smoothing_length) : columns_(columns), h_(smoothing_length) {}
+
+    void move_to(const Vec<D - 1>& place) {
+        place_ = place;
+        columns_.around(place, all_);
+    }
+    [[nodiscard]] bool empty() const { return all_.empty(); }
+    [[nodiscard]] double top() const {
+        double top = -std::numeric_limits<double>::infinity();
+        for (const std::size_t j : all_) top = std::max(top, columns_.height(j));
+        return top;
+    }
+    void gather(double from, double to) {
+        band_.clear();
+        for (const std::size_t j : all_) {
+            const double height = columns_.height(j);
+            if (height <= from - 2.0 * h_ || height >= to + 2.0 * h_) continue;
+            const double squared = columns_.horizontal_squared(place_, j);
+            if (squared < 4.0 * h_ * h_) band_.push_back({j, squared, height});
+        }
+    }
+    [[nodiscard]] const std::vector<Near>& band() const { return band_; }
+
+  private:
+    const Columns<D>& columns_;
+    double h_;
+    Vec<D - 1> place_{};
+    std::vector<std::size_t> all_;
+    std::vector<Near> band_;
+};
+
+/// Elevation where a sum over particles, term(volume, squared distance), `inside` the water, first reaches
+/// the threshold on the way down.
 template <int D, class Term>
 std::vector<double> scan_from_above(const FluidParticles<D>& fluid, std::span<const Vec<D - 1>> at,
-                                    double threshold, const Term& term) {
+                                    double threshold, double inside, const Term& term) {
     const double h = fluid.smoothing_length;
-    const Columns<D> columns(fluid);
+    const Columns<D> of_water(fluid);
+    typename ParticleCells<D>::Positions solid_position;
+    std::copy(fluid.solids.position.begin(), fluid.solids.position.end(), solid_position.begin());
+    const Columns<D> of_solids(fluid, solid_position);
     std::vector<double> elevation(at.size(), not_a_number);
     parallel_blocks(at.size(), places_per_block, [&](std::size_t begin, std::size_t end) {
-        std::vector<std::size_t> around;
-        std::vector<Near> band;
+        Around<D> water(of_water, h);
+        Around<D> solids(of_solids, h);
+        const auto field = [&](double z) {
+            const double sum = sum_at(z, water.band(), h, [&](const Near& n, double squared) {
+                return term(fluid.volume[n.particle], squared);
+            });
+            if (solids.band().empty()) return sum;
+            double solid = 0.0;
+            const double below = sum_at(z, solids.band(), h, [&](const Near& n, double squared) {
+                const double volume = fluid.solids.volume[n.particle];
+                const double share = term(volume, squared);
+                solid += share;
+                const double height = std::pow(volume, 1.0 / D);
+                return share * std::clamp(0.5 + (z - n.height) / height, 0.0, 1.0);
+            });
+            // A face itself is still wet, whose particles' sum is a half but for their places.
+            constexpr double on_a_face = 1.2;
+            return std::min({sum + below, 2.0 * sum, on_a_face * (inside - solid)});
+        };
         for (std::size_t n = begin; n < end; ++n) {
-            columns.around(at[n], around);
-            double top = -std::numeric_limits<double>::infinity();
-            for (const std::size_t j : around) top = std::max(top, columns.height(j));
-            // The particles that reach a stretch of heights, from `low` up.
+            water.move_to(at[n]);
+            if (water.empty()) continue;
+            solids.move_to(at[n]);
             double low = std::numeric_limits<double>::infinity();
             const auto gather = [&](double from, double to) {
                 low = from;
-                band.clear();
-                for (const std::size_t j : around) {
-                    const double height = columns.height(j);
-                    if (height <= from - 2.0 * h || height >= to + 2.0 * h) continue;
-                    const double squared = columns.horizontal_squared(at[n], j);
-                    if (squared < 4.0 * h * h) band.push_back({j, squared, height});
-                }
+                water.gather(from, to);
+                solids.gather(from, to);
             };
-            const auto field = [&](double z) { return sum_at(z, band, h, term); };
             const double step = 0.25 * h;
-            double above = top + 2.0 * h;
-            for (double z = above - step; z > fluid.domain.lower[D - 1] && !around.empty(); z -= step) {
+            double above = water.top() + 2.0 * h;
+            for (double z = above - step; z > fluid.domain.lower[D - 1]; z -= step) {
                 if (z < low) gather(z - 3.0 * h, above);
                 if (field(z) < threshold) {
                     above = z;
@@ -165,9 +213,8 @@ std::vector<double> surface_by_position_divergence(const FluidParticles<D>& flui
     const double h = fluid.smoothing_length;
     const double scale = 1.0 / (D == 2 ? h * h * h * h : h * h * h * h * h);
     return visit_kernel<D>(fluid.kernel, [&](auto kernel) {
-        return scan_from_above<D>(fluid, at, threshold, [&](std::size_t j, double squared) {
-            return -fluid.volume[j] * squared * decltype(kernel)::gradient_factor(std::sqrt(squared) / h) *
-                   scale;
+        return scan_from_above<D>(fluid, at, threshold, D, [&](double volume, double squared) {
+            return -volume * squared * decltype(kernel)::gradient_factor(std::sqrt(squared) / h) * scale;
         });
     });
 }
@@ -178,8 +225,8 @@ std::vector<double> surface_by_volume_fraction(const FluidParticles<D>& fluid, s
     const double h = fluid.smoothing_length;
     const double scale = 1.0 / std::pow(h, D);
     return visit_kernel<D>(fluid.kernel, [&](auto kernel) {
-        return scan_from_above<D>(fluid, at, threshold, [&](std::size_t j, double squared) {
-            return fluid.volume[j] * decltype(kernel)::value(std::sqrt(squared) / h) * scale;
+        return scan_from_above<D>(fluid, at, threshold, 1.0, [&](double volume, double squared) {
+            return volume * decltype(kernel)::value(std::sqrt(squared) / h) * scale;
         });
     });
 }

@@ -10,6 +10,13 @@
 
 namespace riffle::inline sph {
 
+/// The particles of the bed and of the solids that stand in the water.
+template <int D>
+struct SolidParticles {
+    std::array<std::vector<double>, static_cast<std::size_t>(D)> position;  ///< m
+    std::vector<double> volume;                                             ///< m2 in 2D, m3 in 3D
+};
+
 /// The fluid particles that a surface is looked for in, D = 2 or 3; the last axis is the vertical one.
 template <int D>
 struct FluidParticles {
@@ -18,10 +25,14 @@ struct FluidParticles {
     std::span<const double> volume;                                  ///< m2 in 2D, m3 in 3D
     KernelKind kernel = KernelKind::wendland_c2;
     double smoothing_length = 0.0;  ///< h, m
+    SolidParticles<D> solids = {};  ///< what takes the room of water beside and below a place
 };
 
 // Each of these gives the elevation of the free surface (m, on the axis of the domain) over each horizontal
-// position of `at`; not-a-number where no water is found. How far they are off: docs/free-surface.md.
+// position of `at`; not-a-number where no water is found. How far they are off: docs/free-surface.md. The
+// first two reckon with bed and solids: the sum of a place counts them as water as far as they stand below
+// it, for the rest of what lies below a level surface is water. Water makes half of the sum at least, and a
+// place inside a solid is dry.
 
 /// By the divergence of the position (thesis 2.60): -sum V_j r_ij.grad W falls from D inside the water to 0
 /// outside, and to D/2 on the surface itself. Scanned from above to `threshold`; the thesis' 1.4 in 2D lies

@@ -8,6 +8,7 @@
 #include <numbers>
 #include <vector>
 
+#include "boundary/wall.hpp"
 #include "water.hpp"
 
 namespace riffle::fluid_view_test {
@@ -88,6 +89,27 @@ TEST(FluidView, SeesTheWaterAtAnEndWallAsHighAsBesideIt) {
     for (const double x : {0.0, 0.001, 0.099, 0.1}) {
         EXPECT_NEAR(view.surface_at(std::vector<Vec<2>>{{x, 0.0}})[0], 0.04, 0.5 * 0.002) << x;
         EXPECT_NEAR(view.velocity_at({x, 0.0, 0.037}).u, 12.0 * 0.037, 1e-12) << x;
+    }
+}
+
+TEST(FluidView, SeesTheWaterBesideAPierAndThinWaterAsHighAsItIs) {
+    for (const double depth : {0.04, 0.004}) {
+        Case c = small_water();
+        c.channel.slope = 0.0;
+        c.channel.depth = depth;
+        c.channel.ends = Ends::walls;
+        Solid pier;
+        pier.name = "pier";
+        pier.x = {0.04, 0.06, 0.06, 0.04};
+        pier.z = {-0.02, -0.02, 0.07, 0.07};
+        c.solids.push_back(pier);
+        const Water water(c);
+        const WallParticles<2> walls = wall_particles(c);
+        const FluidViewIn<2> view(water.parameters, water.particles, water.h, &walls);
+        for (const double x : {0.0, 0.02, 0.036, 0.039, 0.061, 0.07, 0.1}) {
+            EXPECT_NEAR(view.surface_at(std::vector<Vec<2>>{{x, 0.0}})[0], depth, 0.15 * 0.002) << x;
+        }
+        EXPECT_TRUE(std::isnan(view.surface_at(std::vector<Vec<2>>{{0.05, 0.0}})[0]));
     }
 }
 
