@@ -91,6 +91,9 @@ enum class FlowKind {
 /// ends that the water passes.
 [[nodiscard]] bool uses_local_depth(const Case& c);
 
+/// Whether a model stands for eddies that the particles do not carry.
+[[nodiscard]] inline bool has_closure(const Case& c) { return c.turbulence.closure != ClosureKind::none; }
+
 /// Whether the particles carry the eddies, and the closure only what is smaller: the mean flow is then a mean
 /// over time and plan, and no model of the mean flow is its limit.
 [[nodiscard]] bool resolves_eddies(const Case& c);

@@ -33,7 +33,7 @@ CheckList method_refusals() {
          "of |du/dz| alone there is neither a strain rate nor a rotation",
          "choose stress_terms = \"full\"",
          [](const Case& c) {
-             return c.turbulence.closure != ClosureKind::none && c.turbulence.eddy_rate != EddyRate::strain &&
+             return has_closure(c) && c.turbulence.eddy_rate != EddyRate::strain &&
                     c.turbulence.stress_terms == StressTerms::shear;
          }},
         {{"numerics.tensile_correction", "numerics.kernel"},
@@ -52,8 +52,7 @@ CheckList method_refusals() {
              const Numerics& n = c.numerics;
              return n.kernel_correction == KernelCorrection::kernel &&
                     n.pressure_form != PressureForm::corrected &&
-                    (n.velocity_gradient != VelocityGradient::corrected ||
-                     c.turbulence.closure == ClosureKind::none);
+                    (n.velocity_gradient != VelocityGradient::corrected || !has_closure(c));
          }},
         {{"numerics.viscosity", "numerics.pressure_form"},
          "`viscosity = \"artificial\"` with a Riemann `pressure_form`",
@@ -81,8 +80,7 @@ CheckList method_refusals() {
          "artificial viscosity acts between approaching particles alone, so the eddy viscosity cannot act through it",
          R"(set [numerics] eddy_stress = "stress-divergence", or [turbulence] closure = "none", or choose viscosity = "morris")",
          [](const Case& c) {
-             return c.numerics.viscosity == ViscosityForm::artificial &&
-                    c.turbulence.closure != ClosureKind::none &&
+             return c.numerics.viscosity == ViscosityForm::artificial && has_closure(c) &&
                     c.numerics.eddy_stress == EddyStress::two_point;
          }},
         {{"numerics.density_relaxation", "numerics.pressure_form", "turbulence.closure"},

@@ -4,6 +4,7 @@
 #include <functional>
 #include <utility>
 
+#include "case/flow_kind.hpp"
 #include "case/outline_check.hpp"
 #include "case/patch_range.hpp"
 #include "case/porous_zone.hpp"
@@ -241,8 +242,7 @@ CheckList porous_refusals() {
              "the eddy stress stands with the pressure there, which acts on the pores alone",
              R"(set [numerics] eddy_stress = "two-point")",
              [](const Case& c) {
-                 return c.turbulence.closure != ClosureKind::none &&
-                        c.numerics.eddy_stress == EddyStress::stress_divergence;
+                 return has_closure(c) && c.numerics.eddy_stress == EddyStress::stress_divergence;
              }},
             {{"porous.name", "numerics.xsph"},
              "`[[porous]]` with `xsph`",

@@ -3,6 +3,7 @@
 #include "case/bed_friction.hpp"
 #include "case/cross_section.hpp"
 #include "case/end_floor.hpp"
+#include "case/flow_kind.hpp"
 #include "case/outline_check.hpp"
 #include "case/refusals.hpp"
 #include "case/solid_places.hpp"
@@ -90,7 +91,7 @@ CheckList solid_surface_refusals() {
          "laminar flow has no log law",
          R"(choose a closure, or surface = "no-slip")",
          [](const Case& c, const Solid& solid) {
-             return found_if(by_log_law(solid) && c.turbulence.closure == ClosureKind::none,
+             return found_if(by_log_law(solid) && !has_closure(c),
                              "its surface has a log law, the flow no closure");
          }},
         {{"solid.surface", "bed.kind"},

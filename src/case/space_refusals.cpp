@@ -3,6 +3,7 @@
 
 #include "case/bed_friction.hpp"
 #include "case/conversion.hpp"
+#include "case/flow_kind.hpp"
 #include "case/key_table.hpp"
 #include "case/refusals.hpp"
 #include "case/sphere_tiling.hpp"
@@ -206,7 +207,7 @@ CheckList side_wall_refusals() {
              R"(`drag_form = "log-law"` with `turbulence.closure = "none"`)",
              "laminar flow has no log law",
              R"(choose a closure, or drag_form = "none")",
-             [](const Case& c) { return by_log_law(c) && c.turbulence.closure == ClosureKind::none; },
+             [](const Case& c) { return by_log_law(c) && !has_closure(c); },
              true},
             {{"side_walls.equivalent_roughness", "fluid.kinematic_viscosity"},
              "smooth side walls by the log law without viscosity",

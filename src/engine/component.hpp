@@ -24,10 +24,10 @@ class Component {
     [[nodiscard]] virtual bool lists_expired(const Flow& /*flow*/) const { return false; }
     /// Lists are about to be built anew, the particles not sorted yet: they may be made and taken out.
     virtual void before_lists(Flow& /*flow*/) {}
-    /// The lists have been built, at a resume too: those of a saved state.
-    virtual void lists_built(const Flow& /*flow*/) {}
     /// The particles have been sorted, lists are about to be built.
     virtual void particles_sorted(const Flow& /*flow*/) {}
+    /// The lists have been built, at a resume too: those of a saved state.
+    virtual void lists_built(const Flow& /*flow*/) {}
     /// Before the length of the step is chosen.
     virtual void before_step(Flow& /*flow*/) {}
     /// A step of dt begins; Flow::keep_fields says whether its fields are kept.

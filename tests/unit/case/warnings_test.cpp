@@ -228,6 +228,7 @@ TEST(Warnings, EachRowHasACase) {
         with_keys(flume(), "numerics.wall_layers = 2; bed.drag_form = thesis"),
         with_keys(flume(), "numerics.wall = dynamic; turbulence.closure = sps"),
         with_keys(tank(), "bed.kind = no-slip"),
+        with_keys(tank(), "bed.kind = slip; numerics.wall = dynamic"),
         with_keys(cell(), "bed.kind = no-slip; turbulence.closure = wale"),
         with_keys(with_water(), "run.until = 3"),
         with_keys(gravel(), "bed.equivalent_roughness = 20 mm; numerics.spacing = 0.5 mm"),
