@@ -266,10 +266,15 @@ void draw_plan(SvgSheet& sheet, const Case& c, const PreviewPlan& plan, const Sh
     sheet.text(view.left + view.width + 4.0, view.y(plan.y) + 4.0, "A", R"(class="halo" font-weight="600")");
     for (std::size_t k = 0; k < plan.x.size(); ++k) {
         sheet.line(view.x(plan.x[k]), view.top - 2.0, view.x(plan.x[k]), view.top + view.height + 2.0, cut);
-        sheet.text(view.x(plan.x[k]) + 5.0, view.top + view.height - 6.0, k == 0 ? "B" : "C",
+        sheet.text(view.x(plan.x[k]) + 5.0, view.top + 13.0, k == 0 ? "B" : "C",
                    R"(class="halo" font-weight="600")");
     }
-    for (const Vegetation& patch : c.vegetation) draw_patch(plan_outline(c, patch), stem_colour, 0.22);
+    for (const BedPatch& patch : c.bed_patches) name_outline(sheet, view, plan_outline(c, patch), patch.name);
+    for (const Vegetation& patch : c.vegetation) {
+        const Outline outline = plan_outline(c, patch);
+        draw_patch(outline, stem_colour, 0.22);
+        name_outline(sheet, view, outline, patch.name);
+    }
     for (const Porous& zone : c.porous) {
         const Outline outline = plan_of(c, zone);
         draw_patch(outline, porous_colour, 0.3);

@@ -314,13 +314,19 @@ class UprightView {
         }
     }
 
+    /// Whether the side view cuts a solid: the plan has the names of the others.
+    [[nodiscard]] bool is_cut(const Solid& solid) const {
+        const auto across = space_ ? extent_of(c_, solid, 1) : std::nullopt;
+        return !across || (across->low <= plan_.y && plan_.y <= across->high);
+    }
+
     void name_solids(std::size_t axis) {
         double last_x = -1e9;
         double last_y = -1e9;
         for (const Solid& solid : c_.solids) {
             const auto u = extent_of(c_, solid, axis);
             const auto z = extent_of(c_, solid, 2);
-            if (!u || !z) continue;
+            if (!u || !z || !is_cut(solid)) continue;
             const bool bed = is_bed_shape(solid.shape) || u->high - u->low > 0.9 * c_.channel.length;
             const double x = view_.x(bed ? 0.3 * c_.channel.length
                                          : std::clamp(0.5 * (u->low + u->high), 0.0, c_.channel.length));

@@ -5,13 +5,32 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <optional>
 
 #include "boundary/wall.hpp"
 #include "case/outline_check.hpp"
+#include "case/patch_range.hpp"
+#include "case/porous_zone.hpp"
 #include "case/solid_mesh.hpp"
 #include "case/solid_shapes.hpp"
 
 namespace riffle::inline preview {
+
+namespace {
+
+/// Place along the channel of the middle of its first patch: of stems, of a porous zone, of another bed.
+std::optional<double> middle_of_first_patch(const Case& c) {
+    const auto middle = [&](const Outline& outline) {
+        const Extent x(outline.x);
+        return std::clamp(0.5 * (x.low + x.high), 0.0, c.channel.length);
+    };
+    if (!c.vegetation.empty()) return middle(plan_outline(c, c.vegetation.front()));
+    if (!c.porous.empty()) return middle(plan_of(c, c.porous.front()));
+    if (!c.bed_patches.empty()) return middle(plan_outline(c, c.bed_patches.front()));
+    return std::nullopt;
+}
+
+}  // namespace
 
 PreviewPlan plan_preview(const Case& c) {
     PreviewPlan plan;
@@ -35,7 +54,7 @@ PreviewPlan plan_preview(const Case& c) {
             found = true;
         }
     }
-    if (space && plan.x.empty()) plan.x.push_back(0.5 * c.channel.length);
+    if (space && plan.x.empty()) plan.x.push_back(middle_of_first_patch(c).value_or(0.5 * c.channel.length));
     if (plan.x.size() == 2 && std::abs(plan.x[0] - plan.x[1]) < spacing) plan.x.pop_back();
     plan.below = std::max((c.numerics.wall_layers + 1) * spacing, 0.2 * top);
     plan.beside = std::max(0.03 * c.channel.length, (c.numerics.wall_layers + 1) * spacing);
@@ -49,6 +68,11 @@ void name_outline(SvgSheet& sheet, const SheetView& view, const Outline& outline
     for (std::size_t i = 0; i < outline.size(); ++i) {
         u += outline.x[i] / static_cast<double>(outline.size());
         v += outline.z[i] / static_cast<double>(outline.size());
+    }
+    constexpr double letter = 7.5;
+    if (letter * static_cast<double>(name.size()) > view.width) {
+        sheet.text(view.left + view.width + 6.0, view.y(v) - 16.0, name, R"(class="halo" font-weight="600")");
+        return;
     }
     sheet.text(view.x(u), view.y(v), name, R"(class="halo" text-anchor="middle" font-weight="600")");
 }

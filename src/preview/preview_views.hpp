@@ -39,7 +39,7 @@ struct ScaledView {
 [[nodiscard]] ScaledView scaled_view(double left, double top, double width, double least, double most,
                                      double u_low, double u_high, double v_low, double v_high);
 
-/// The name of what an outline shows, in the middle of its corners.
+/// The name of what an outline shows, in the middle of its corners; beside a view that is too narrow for it.
 void name_outline(SvgSheet& sheet, const SheetView& view, const Outline& outline, const std::string& name);
 
 /// The upright plane along a channel: bed, water at its start, solids, walls, ends, instruments.
