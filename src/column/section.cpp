@@ -5,6 +5,7 @@
 #include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 #include "base/error.hpp"
 #include "case/flow_kind.hpp"
@@ -45,8 +46,9 @@ Eigen::VectorXd first_guess(const Case& c, const SectionGrid& grid, const Sectio
 /// Implicit Euler steps of growing length that turn into Newton's method: from any start they follow the
 /// transient to the steady state, which is the only one, as the stresses and the drag rise with the flow.
 /// `step_time`: the first step, s; a start close to the steady state can do with Newton's method alone.
-Eigen::VectorXd approach_balance(const Case& c, const SectionBalance& balance, Eigen::VectorXd u,
-                                 double step_time) {
+/// Nothing where they do not get there.
+std::optional<Eigen::VectorXd> approach_balance(const Case& c, const SectionBalance& balance,
+                                                Eigen::VectorXd u, double step_time) {
     const auto size = [&balance](const Eigen::VectorXd& force) {
         return std::sqrt((force.array().square() / balance.area().array()).sum());
     };
@@ -78,32 +80,33 @@ Eigen::VectorXd approach_balance(const Case& c, const SectionBalance& balance, E
         }
         last_change = relative;
     }
-    throw InputError(
-        "the steady cross-section did not converge: check fluid.kinematic_viscosity, channel.slope, "
-        "bed.drag_coefficient and the [turbulence] constants of the case");
+    return std::nullopt;
 }
 
-/// The steady velocities in the cells of a grid of so many cells. A grid of a third of them finds the way
-/// from the first guess at a tenth of the cost, and this one has its Newton steps left.
-Eigen::VectorXd solve_balance(const Case& c, const SectionGrid& grid, const SectionBalance& balance,
-                              int cells_across, int cells_over_depth) {
+/// The steady velocities in the cells of a grid of so many cells; nothing where they are not found. A grid of
+/// a third of them finds the way from the first guess at a tenth of the cost, and this one has its Newton
+/// steps left.
+std::optional<Eigen::VectorXd> solve_balance(const Case& c, const SectionGrid& grid,
+                                             const SectionBalance& balance, int cells_across,
+                                             int cells_over_depth) {
     constexpr int share = 3;
     constexpr int fewest_cells = 10;
-    if (std::min(cells_across, cells_over_depth) < share * fewest_cells) {
-        const Eigen::VectorXd u = first_guess(c, grid, balance);
-        return approach_balance(c, balance, u,
-                                u.maxCoeff() / c.streamwise_gravity());  // the weight makes the flow in it
+    if (std::min(cells_across, cells_over_depth) >= share * fewest_cells) {
+        const int across = cells_across / share;
+        const int over_depth = cells_over_depth / share;
+        const SectionGrid coarse = make_section_grid(c, across, over_depth);
+        const SectionBalance coarse_balance(c, coarse);
+        if (const auto start = solve_balance(c, coarse, coarse_balance, across, over_depth)) {
+            // The result has the velocity in the pores of porous zones, the balance that of the discharge.
+            Eigen::VectorXd u = velocities_on(grid, section_result(c, coarse, coarse_balance, *start));
+            for (Eigen::Index i = 0; i < u.size(); ++i) u(i) *= balance.porosity(i);
+            constexpr double steady = 1e9;  // s
+            if (auto found = approach_balance(c, balance, u, steady)) return found;
+        }
     }
-    const int across = cells_across / share;
-    const int over_depth = cells_over_depth / share;
-    const SectionGrid coarse = make_section_grid(c, across, over_depth);
-    const SectionBalance coarse_balance(c, coarse);
-    const Eigen::VectorXd start = solve_balance(c, coarse, coarse_balance, across, over_depth);
-    constexpr double steady = 1e9;  // s
-    // The result has the velocity in the pores of porous zones, the balance that of the discharge.
-    Eigen::VectorXd u = velocities_on(grid, section_result(c, coarse, coarse_balance, start));
-    for (Eigen::Index i = 0; i < u.size(); ++i) u(i) *= balance.porosity(i);
-    return approach_balance(c, balance, u, steady);
+    const Eigen::VectorXd u = first_guess(c, grid, balance);
+    const double weight_makes_it_in = u.maxCoeff() / c.streamwise_gravity();
+    return approach_balance(c, balance, u, weight_makes_it_in);
 }
 
 /// E-folding time of the slowest mode of small departures: the largest eigenvalue of J^-1 M, M the areas, by
@@ -235,7 +238,13 @@ SectionResult solve_section(const Case& c, const SectionOptions& options) {
     check_section(c);
     const SectionGrid grid = make_section_grid(c, options.cells_across, options.cells_over_depth);
     const SectionBalance balance(c, grid);
-    const Eigen::VectorXd u = solve_balance(c, grid, balance, options.cells_across, options.cells_over_depth);
+    const auto steady = solve_balance(c, grid, balance, options.cells_across, options.cells_over_depth);
+    if (!steady) {
+        throw InputError(
+            "the steady cross-section did not converge: check fluid.kinematic_viscosity, channel.slope, "
+            "bed.drag_coefficient and the [turbulence] constants of the case");
+    }
+    const Eigen::VectorXd& u = *steady;
     SectionResult result = section_result(c, grid, balance, u);
     if (options.with_relaxation_time) result.relaxation_time = slowest_decay_time(balance, u);
     return result;
