@@ -16,6 +16,11 @@ struct EndFloors {
 };
 [[nodiscard]] EndFloors end_floors(const Case& c);
 
+/// Depth at an end, of all the water over what it stands on at `floor`, from a level over the datum, m.
+[[nodiscard]] inline double over_floor(const Case& c, double level, double floor) {
+    return level + c.datum() - floor;
+}
+
 /// Whether a solid carries the water through an open end: it reaches through all that stands beyond the end
 /// and all that is watched before it, with a level top. `from`, `to`: that stretch of the channel, m.
 [[nodiscard]] bool carries_through(const Solid& solid, double from, double to);

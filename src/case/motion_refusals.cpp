@@ -37,7 +37,7 @@ double time_of_motion(const Case& c, const Solid& solid) {
     return std::max(0.0, std::min(solid.stop.value_or(c.run.time), c.run.time) - solid.start);
 }
 
-struct Range {
+struct Swing {
     double low = 0.0;
     double high = 0.0;
 };
@@ -57,7 +57,7 @@ std::vector<std::array<double, 3>> corners_of(const Case& c, const Solid& solid)
 
 /// The same of one that turns or follows a table, by its corners at many times: steps of a degree, up to two
 /// turns of one that goes on for ever.
-Range along_its_way(const Case& c, const Solid& solid, std::size_t axis) {
+Swing along_its_way(const Case& c, const Solid& solid, std::size_t axis) {
     const std::vector<std::array<double, 3>> corners = corners_of(c, solid);
     const SolidTurning turn = solid_turning(c, solid);
     const double last = solid.is_free() ? 0.0 : c.run.time;
@@ -66,7 +66,7 @@ Range along_its_way(const Case& c, const Solid& solid, std::size_t axis) {
     const double turning = moves_on(solid) && is_zero(velocity_of(solid)) && rate > 0.0
                                ? solid.start + 4.0 * std::numbers::pi / rate
                                : last;
-    Range range{std::numeric_limits<double>::infinity(), -std::numeric_limits<double>::infinity()};
+    Swing range{std::numeric_limits<double>::infinity(), -std::numeric_limits<double>::infinity()};
     for (int step = 0; step <= steps; ++step) {
         const BodyState body = body_state(solid_motion(solid, std::min(last, turning) * step / steps), turn);
         for (const auto& corner : corners) {
@@ -78,7 +78,7 @@ Range along_its_way(const Case& c, const Solid& solid, std::size_t axis) {
 }
 
 /// What a solid takes up along axis x, y or z, with its way.
-Range in_motion(const Case& c, const Solid& solid, std::size_t axis) {
+Swing in_motion(const Case& c, const Solid& solid, std::size_t axis) {
     if (turns(c, solid) || solid.motion == SolidMotion::table) return along_its_way(c, solid, axis);
     const double way = moves_on(solid) ? time_of_motion(c, solid) * velocity_of(solid)[axis] : 0.0;
     const double swing = swings(solid) ? std::abs(amplitude_of(solid)[axis]) : 0.0;
@@ -94,7 +94,7 @@ double slack_of(const Case& c, const Solid& solid) {
 
 /// Whether it goes through one of two walls.
 bool leaves(const Case& c, const Solid& solid, std::size_t axis, double extent) {
-    const Range range = in_motion(c, solid, axis);
+    const Swing range = in_motion(c, solid, axis);
     const double slack = slack_of(c, solid);
     return range.low < -slack || range.high > extent + slack;
 }
@@ -126,10 +126,10 @@ Findings motion_through_a_zone(const Case& c, const Solid& solid) {
         return {};
     }
     constexpr int most = 40;
-    const Range x = in_motion(c, solid, 0);
-    const Range z = in_motion(c, solid, 2);
-    const Range y = in_space(c) ? in_motion(c, solid, 1) : Range{0.0, 0.0};
-    const auto at = [](const Range& range, int i, int of) {
+    const Swing x = in_motion(c, solid, 0);
+    const Swing z = in_motion(c, solid, 2);
+    const Swing y = in_space(c) ? in_motion(c, solid, 1) : Swing{0.0, 0.0};
+    const auto at = [](const Swing& range, int i, int of) {
         return range.low + (i + 0.5) / of * (range.high - range.low);
     };
     for (const Porous& porous : c.porous) {

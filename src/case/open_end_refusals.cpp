@@ -16,13 +16,6 @@ namespace riffle::inline case_file {
 
 namespace {
 
-double total(const Case& c, double depth) { return depth + c.datum(); }
-
-int ways_to_give_discharge(const Inflow& inflow) {
-    return (inflow.discharge ? 1 : 0) + (inflow.unit_discharge ? 1 : 0) +
-           (inflow.discharge_file.empty() ? 0 : 1);
-}
-
 /// Cross-sections and beds of heights, which in space end in walls or repeat.
 bool is_bed_in_space(const Case& c, const Solid& solid) { return in_space(c) && is_bed_shape(solid.shape); }
 
@@ -64,21 +57,6 @@ Findings beyond_racks(const Case& c, const Solid& solid) {
                     shown_length(length - clear));
 }
 
-/// Whether the profile that enters is one of the twins'.
-bool enters_as_twin(const Case& c) {
-    return c.inflow.profile == InflowProfile::twin || c.inflow.profile == InflowProfile::column;
-}
-
-/// Depth at an end, of all the water over what it stands on, from a level over the datum, m.
-double over_floor(const Case& c, double level, double floor) { return total(c, level) - floor; }
-
-/// A level at an end that the solid there does not leave free.
-Findings below_floor(const std::optional<double>& level, const Case& c, double floor) {
-    return found_if(level && over_floor(c, *level, floor) <= 0.0,
-                    "the depth of {} is below the top of the solid there, {} over the datum",
-                    shown_length(level.value_or(0.0)), shown_length(floor - c.datum()));
-}
-
 /// Ends at which the outline of the water begins above the bed.
 Findings floating_ends(const Case& c) {
     const Outline water{c.start.water_x, c.start.water_z};
@@ -96,95 +74,15 @@ Findings floating_ends(const Case& c) {
 
 }  // namespace
 
+Findings below_floor(const std::optional<double>& level, const Case& c, double floor) {
+    return found_if(level && over_floor(c, *level, floor) <= 0.0,
+                    "the depth of {} is below the top of the solid there, {} over the datum",
+                    shown_length(level.value_or(0.0)), shown_length(floor - c.datum()));
+}
+
 CheckList open_end_refusals() {
     return {
         {
-            {{"inflow.discharge", "inflow.depth"},
-             "neither a discharge nor a depth at the inflow",
-             "open ends need to know what enters",
-             "give [inflow] discharge = \"8 l/s\", for example, or unit_discharge, discharge_file or depth",
-             [](const Case& c) {
-                 return found_if(!c.inflow.gives_discharge() && !c.inflow.gives_depth(),
-                                 "gives neither a discharge nor a depth");
-             }},
-            {{"inflow.discharge", "inflow.unit_discharge", "inflow.discharge_file"},
-             "the discharge given twice",
-             "only one can hold",
-             "keep one of discharge, unit_discharge and discharge_file",
-             [](const Case& c) {
-                 return found_if(ways_to_give_discharge(c.inflow) > 1, "gives the discharge in {} ways",
-                                 ways_to_give_discharge(c.inflow));
-             }},
-            {{"inflow.depth", "inflow.depth_file"},
-             "the depth at the inflow given twice",
-             "only one can hold",
-             "keep one of depth and depth_file",
-             [](const Case& c) { return c.inflow.depth && !c.inflow.depth_file.empty(); }},
-            {{"inflow.depth", "inflow.discharge"},
-             "both discharge and depth of a subcritical inflow",
-             "subcritical flow takes one of them from downstream",
-             "remove one of them; the other follows",
-             [](const Case& c) {
-                 const auto q = c.inflow_unit_discharge();
-                 if (!q || !c.inflow.depth) {
-                     return Findings{};
-                 }
-                 const double critical = critical_depth_of(c.normal_gravity(), *q);
-                 return found_if(over_floor(c, *c.inflow.depth, end_floors(c).upstream) > critical,
-                                 "the depth of {} is above the critical one of the discharge, {}",
-                                 shown_length(*c.inflow.depth),
-                                 shown_length(critical + end_floors(c).upstream - c.datum()));
-             }},
-            {{"inflow.equivalent_roughness", "inflow.profile"},
-             "`equivalent_roughness` 0 with `profile = \"log-law\"`",
-             "the log law needs k_s",
-             "give it",
-             [](const Case& c) {
-                 return c.inflow.profile == InflowProfile::log_law && c.inflow.equivalent_roughness <= 0.0;
-             }},
-            {{"inflow.profile_file", "inflow.profile"},
-             "`profile_file` missing with `profile = \"file\"`",
-             "",
-             "give the CSV file with the columns z, u",
-             [](const Case& c) {
-                 return found_if(c.inflow.profile == InflowProfile::file && c.inflow.profile_file.empty(),
-                                 "profile_file is missing");
-             }},
-            {{"inflow.results", "inflow.profile"},
-             "`results` missing with `profile = \"results\"`",
-             "the water of another run enters",
-             "give the results file of a run with periodic ends, for example results = \"reach/results.h5\"",
-             [](const Case& c) {
-                 return found_if(c.inflow.profile == InflowProfile::results && c.inflow.results.empty(),
-                                 "results is missing");
-             }},
-            {{"inflow.profile", "bed.kind"},
-             R"(`profile = "twin"`, the default, or `"column"` over a bed without friction, the former without friction of side walls too)",
-             "no profile is the twin's own there",
-             "choose profile = \"uniform\", or another",
-             [](const Case& c) {
-                 const bool column = c.inflow.profile == InflowProfile::column;
-                 const Case there = with_bed_at(c, 0.0);
-                 return enters_as_twin(c) &&
-                        !(column ? channel_resists(there) : channel_or_walls_resist(there));
-             }},
-            {{"inflow.profile", "turbulence.closure"},
-             R"(`profile = "twin"`, the default, or `"column"` with a closure of resolved eddies)",
-             "it has no twin, and water without eddies would enter",
-             R"(choose profile = "results", the water of a run with periodic ends, or for a start of their growth "power-law")",
-             [](const Case& c) { return enters_as_twin(c) && channel_resists(c) && resolves_eddies(c); }},
-            {{"inflow.profile", "bed_patch.y_from"},
-             R"(`profile = "twin"`, the default, or `"column"` where a patch of the bed lies in a part of the inflow's width; with `"twin"` strips of plane beds may lie between side walls, the same on both sides of the centreline)",
-             "what enters there has the profile of one bed",
-             "choose profile = \"log-law\" or another, or let the patch begin farther down",
-             [](const Case& c) {
-                 const BedPatch* const beside = patch_beside(c, 0.0);
-                 const bool has_twin =
-                     c.inflow.profile == InflowProfile::twin && beside && strips_have_section(c, 0.0);
-                 return found_if(beside != nullptr && enters_as_twin(c) && !has_twin,
-                                 "profile is that of a twin, and the patch \"{}\" lies there",
-                                 beside ? beside->name : std::string());
-             }},
             {{"outflow.kind", "bed_patch.y_from"},
              "`kind = \"normal-depth\"`, the default, where a patch of the bed lies in a part of the outflow's width, but strips of plane beds between side walls, the same on both sides of the centreline",
              "no twin tells the normal depth over such a bed",
@@ -322,23 +220,11 @@ CheckList open_end_refusals() {
              "a depth rules where there is a surface, a pressure where there is none",
              R"(choose kind = "pressure" with [channel] top = "wall", and another kind with "free-surface")",
              [](const Case& c) { return is_duct(c) != (c.outflow.kind == OutflowKind::pressure); }},
-            {{"inflow.depth", "channel.top"},
-             "no discharge, or a depth, at the inflow of a duct",
-             "a duct is always full",
-             "give [inflow] discharge, unit_discharge or discharge_file, and no depth",
-             [](const Case& c) {
-                 return is_duct(c) && (c.inflow.gives_depth() || !c.inflow.gives_discharge());
-             }},
             {{"channel.lid_velocity", "channel.ends"},
              "a lid that moves, with open ends",
              "what enters does not know of it",
              "set lid_velocity = 0",
              [](const Case& c) { return c.channel.lid_velocity != 0.0; }},
-            {{"inflow.depth", "solid.z"},
-             "a depth at the inflow below the top of the solid there",
-             "no water would enter",
-             "make it deeper: it counts from the zero datum, like channel.depth",
-             [](const Case& c) { return below_floor(c.inflow.depth, c, end_floors(c).upstream); }},
             {{"outflow.depth", "solid.z"},
              "a depth at the outflow below the top of the solid there",
              "no water would leave",
@@ -351,13 +237,6 @@ CheckList open_end_refusals() {
              [](const Case& c) {
                  const EndFloors floors = end_floors(c);
                  return below_floor(c.channel.depth, c, std::max(floors.upstream, floors.downstream));
-             }},
-            {{"inflow.profile", "solid.z"},
-             R"(`profile = "twin"`, the default, or `"column"` over a solid at the inflow, unless `bed.kind = "no-slip"`)",
-             "the twin's profile is that over the bed",
-             "choose profile = \"uniform\", or another",
-             [](const Case& c) {
-                 return end_floors(c).upstream > 0.0 && enters_as_twin(c) && c.bed.kind != BedKind::no_slip;
              }},
             {{"outflow.kind", "solid.z"},
              R"(`kind = "normal-depth"` or `"free-fall"` over a solid at the outflow)",

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <system_error>
 #include <vector>
@@ -27,13 +28,17 @@ void refuse_to_run(const Case& c);
 /// do".
 [[nodiscard]] std::string refusal_text(const CaseCheck& check, const CaseFinding& finding, const Case& c);
 
+/// A level at an end (m over the datum) that the solid there, with its top at `floor`, does not leave free.
+[[nodiscard]] Findings below_floor(const std::optional<double>& level, const Case& c, double floor);
+
 // The lists, by subject.
 
 [[nodiscard]] CheckList bed_refusals();
 [[nodiscard]] CheckList wall_law_refusals();  ///< beds by roughness and smooth ones
 [[nodiscard]] CheckList channel_refusals();
 [[nodiscard]] CheckList open_end_refusals();    ///< open ends
-[[nodiscard]] CheckList closed_end_refusals();  ///< any others
+[[nodiscard]] CheckList inflow_refusals();      ///< what enters there
+[[nodiscard]] CheckList closed_end_refusals();  ///< any other ends
 [[nodiscard]] CheckList plane_refusals();       ///< two dimensions
 [[nodiscard]] CheckList space_refusals();       ///< three dimensions
 [[nodiscard]] CheckList sphere_refusals();      ///< spheres in three dimensions

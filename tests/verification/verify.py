@@ -2,7 +2,7 @@
 """Holds Riffle against exact solutions and published measurements, and writes a report page.
 
   tests/verification/verify.py quick      the cheap cases at coarse spacings (CI, under a minute)
-  tests/verification/verify.py full       all cases, spacings and option sets (some 13 hours of one core: docs/verification.md)
+  tests/verification/verify.py full       all cases, spacings and option sets (some 23 hours of one core: docs/verification.md)
   tests/verification/verify.py sloshing   one case
 
 Runs go through the program (`riffle run`), numbers come from the results files. Writes verification.html (--page FILE), one file
