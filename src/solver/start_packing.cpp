@@ -12,6 +12,7 @@
 #include "boundary/solid_surface.hpp"
 #include "boundary/wall.hpp"
 #include "boundary/wall_motion.hpp"
+#include "case/outline.hpp"
 #include "particles/lattice.hpp"
 #include "particles/particle_cells.hpp"
 #include "sph/lattice_sum.hpp"
@@ -42,10 +43,31 @@ Particles<D> on_lattice(Case c) {
     return lattice_particles<D>(c);
 }
 
-/// The places of the lattice within `reach` above the water or beside it that no solid takes: what the water
-/// would be pressed against if its surface were none. None under a lid.
+/// The surface of the water at the start: level, or the outline that the case draws.
+class SurfaceAtStart {
+  public:
+    explicit SurfaceAtStart(const Case& c)
+        : level_(c.total_depth()), outline_{c.start.water_x, c.start.water_z} {}
+
+    /// How far a place is out of the water, m; below zero in it. Beside an outline that follows bed and walls
+    /// that is no more than the distance from these.
+    template <int D>
+    [[nodiscard]] double distance(const Vec<D>& place) const {
+        const double height = place[D - 1];
+        if (outline_.size() == 0) return height - level_;
+        const double distance = distance_from_outline(outline_, place[0], height);
+        return contains(outline_, place[0], height) ? -distance : distance;
+    }
+
+  private:
+    double level_;  ///< m
+    Outline outline_;
+};
+
+/// The places of the lattice within `reach` of the water that no solid takes: what it would be pressed
+/// against if its surface were none. None under a lid.
 template <int D>
-Places<D> places_over_water(const Case& c, double reach) {
+Places<D> places_over_water(const Case& c, const SurfaceAtStart& surface, double reach) {
     if (c.channel.top == Top::wall) {
         return {};
     }
@@ -62,9 +84,8 @@ Places<D> places_over_water(const Case& c, double reach) {
     Places<D> places;
     for (std::size_t i = 0; i < all.size(); ++i) {
         const Vec<D> place = vector_of(all.position, i);
-        for (std::size_t k = 0; k < places.size() && !water.contains(place); ++k) {
-            places[k].push_back(place[k]);
-        }
+        if (water.contains(place) || surface.distance<D>(place) > reach) continue;
+        for (std::size_t k = 0; k < places.size(); ++k) places[k].push_back(place[k]);
     }
     return places;
 }
@@ -78,6 +99,7 @@ class Packer {
           kernel_(scalar_kernel<D>(c.numerics.kernel)),
           domain_(domain_of<D>(c)),
           volume_(lattice_of(c).volume()),
+          surface_(c),
           surfaces_(c),
           planes_(boundary_planes<D>(c)),
           particles_(particles) {
@@ -86,10 +108,9 @@ class Packer {
         wall_volume_ = std::move(walls.volume);
         places_ = particles.position;
         // The kernel of the water sees places up to 2 h above it, and those that move as far again.
-        Places<D> above = places_over_water<D>(c, 2.0 * h_);
-        air_moves_ =
-            c.channel.top == Top::free_surface && c.start.water_x.empty() && stands_through_surface(above);
-        if (air_moves_) above = places_over_water<D>(c, 4.0 * h_);
+        Places<D> above = places_over_water<D>(c, surface_, 2.0 * h_);
+        air_moves_ = c.channel.top == Top::free_surface && stands_through_surface(above);
+        if (air_moves_) above = places_over_water<D>(c, surface_, 4.0 * h_);
         for (std::size_t k = 0; k < axes; ++k) {
             Places<D>& side = air_moves_ ? places_ : walls_;
             side[k].insert(side[k].end(), above[k].begin(), above[k].end());
@@ -153,13 +174,13 @@ class Packer {
 
     [[nodiscard]] bool is_water(std::size_t place) const { return place < particles_.size(); }
 
-    /// Whether a solid stands among the places over a level surface. Those beside it then move too: else the
-    /// gaps that its face leaves among them would draw water up along it. They and the water keep to their
-    /// sides of the surface.
+    /// Whether a solid stands among the places over the surface. Those beside it then move too: else the gaps
+    /// that its face leaves among them would draw water up along it. They and the water keep to their sides
+    /// of the surface.
     [[nodiscard]] bool stands_through_surface(const Places<D>& above) const {
         for (std::size_t i = 0; i < above[0].size(); ++i) {
             const Vec<D> place = vector_of(above, i);
-            if (place[axes - 1] - c_.total_depth() < 2.0 * h_ &&
+            if (surface_.distance<D>(place) < 2.0 * h_ &&
                 distance_from_solids(place, reach_of_air()) < reach_of_air()) {
                 return true;
             }
@@ -170,15 +191,16 @@ class Packer {
     [[nodiscard]] double reach_of_water() const { return 8.0 * h_; }
     [[nodiscard]] double reach_of_air() const { return 3.0 * h_; }
 
-    [[nodiscard]] bool keeps_its_side(std::size_t place, double height) const {
-        const double over = height - c_.total_depth();
-        return !air_moves_ || (is_water(place) ? over < 0.0 : over > 0.0 && over < 2.0 * h_);
+    [[nodiscard]] bool keeps_its_side(std::size_t place, const Vec<D>& at) const {
+        if (!air_moves_) return true;
+        const double over = surface_.distance<D>(at);
+        return is_water(place) ? over < 0.0 : over > 0.0 && over < 2.0 * h_;
     }
 
     void choose_mobile() {
         for (std::size_t i = 0; i < places_[0].size(); ++i) {
             const Vec<D> place = vector_of(places_, i);
-            if (!is_water(i) && !keeps_its_side(i, place[axes - 1])) {
+            if (!is_water(i) && !keeps_its_side(i, place)) {
                 continue;  // what the places over the water that move are pressed against
             }
             const double reach = is_water(i) ? reach_of_water() : reach_of_air();
@@ -256,9 +278,11 @@ class Packer {
             }
             mobile.clearance = now;
         }
-        if (!keeps_its_side(mobile.place, to[axes - 1])) {
-            to[axes - 1] -= mobile.velocity[axes - 1];
-            mobile.velocity[axes - 1] = 0.0;
+        // At a surface, and at the steep front of a dam of water, the motion along it is left.
+        for (const std::size_t k : {axes - 1, std::size_t{0}}) {
+            if (keeps_its_side(mobile.place, to)) break;
+            to[k] -= mobile.velocity[k];
+            mobile.velocity[k] = 0.0;
         }
         if (std::any_of(planes_.begin(), planes_.end(),
                         [&](const BoundaryPlane& plane) { return plane.distance<D>(to) <= 0.0; })) {
@@ -278,6 +302,7 @@ class Packer {
     Domain<D> domain_;
     double volume_;  ///< of a particle of the lattice, m2 or m3
     bool air_moves_ = false;
+    SurfaceAtStart surface_;
     SolidSurfaces surfaces_;
     std::vector<BoundaryPlane> planes_;
     Particles<D>& particles_;

@@ -100,6 +100,43 @@ TEST(StartPacking, DoesNotDependOnTheNumberOfThreads) {
     expect_same_start_for_any_threads<2>(tank_with_wedge());
 }
 
+// Water that the case outlines up to a wall, whose face cuts its lattice: it fills the outline and no more.
+TEST(StartPacking, KeepsTheWaterInItsOutlineBesideAWall) {
+    for (const double face : {0.052, 0.0525, 0.05325, 0.0537}) {
+        Case c = tank_with_wedge();
+        c.solids[0].x = {0.02, face, face, 0.02};
+        c.solids[0].z = {0.0, 0.0, 0.08, 0.08};
+        c.start.water_x = {face, length, length, face};
+        c.start.water_z = {0.0, 0.0, depth, depth};
+        const auto [particles, packing] = Packed<2>(c);
+        EXPECT_LT(packing.unevenness_after, 3e-3) << face;
+        double volume = 0.0;
+        for (std::size_t i = 0; i < particles.size(); ++i) {
+            EXPECT_LT(particles.position[1][i], depth) << face;
+            EXPECT_GT(particles.position[0][i], face) << face;
+            volume += packing.share[i] * lattice_of(c).volume();
+        }
+        EXPECT_NEAR(volume, depth * (length - face), 5e-3 * depth * (length - face)) << face;
+    }
+}
+
+// A dam of water beside a wall, on a dry bed: its steep front stands.
+TEST(StartPacking, KeepsTheFrontOfADamWhereItIsDrawn) {
+    Case c = tank_with_wedge();
+    c.solids[0].x = {0.02, 0.0537, 0.0537, 0.02};
+    c.solids[0].z = {0.0, 0.0, 0.08, 0.08};
+    c.start.water_x = {0.0537, 0.095, 0.095, 0.0537};
+    c.start.water_z = {0.0, 0.0, depth, depth};
+    const auto [particles, packing] = Packed<2>(c);
+    double volume = 0.0;
+    for (std::size_t i = 0; i < particles.size(); ++i) {
+        EXPECT_LT(particles.position[1][i], depth);
+        EXPECT_LT(particles.position[0][i], 0.095);
+        volume += packing.share[i] * lattice_of(c).volume();
+    }
+    EXPECT_NEAR(volume, depth * (0.095 - 0.0537), 0.01 * depth * 0.0413);
+}
+
 TEST(StartPacking, MovesEverythingWhereAllIsJittered) {
     Case c = tank_with_wedge();
     c.solids.clear();
