@@ -203,11 +203,11 @@ Forecast forecast_in(const Case& c) {
     const Twins twins = solve_twins(c);
     const ColumnResult* twin = twins.column_or_null();
     const Scheme scheme = make_scheme(c, twin);
-    Particles<D> particles =
+    const auto simulation =
         c.start.kind == StartKind::results
-            ? particles_from_results<D>(c, scheme, ResultsReader(c.start.file), c.start.file.string())
-            : initial_particles<D>(c, scheme, twin, twins.section_velocity(), false);
-    const auto simulation = make_simulation<D>(c, twin, std::move(particles));
+            ? simulation_from_results<D>(c, twin, scheme)
+            : make_simulation<D>(c, twin,
+                                 initial_particles<D>(c, scheme, twin, twins.section_velocity(), false));
 
     Forecast f;
     f.particles = simulation->particles().size();

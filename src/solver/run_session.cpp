@@ -96,19 +96,16 @@ template <int D>
 void RunSession<D>::make_simulation_of_case(bool from_start) {
     const ColumnResult* column = twins_.column_or_null();
     const Scheme scheme = make_scheme(case_, column);
-    Particles<D> particles;
-    if (!from_start) {
-        // A checkpoint takes the place of these: they need neither be read nor packed.
-        Case still = case_;
-        if (still.start.kind == StartKind::results) still.start.kind = StartKind::rest;
-        particles = initial_particles<D>(still, scheme, column, twins_.section_velocity(), false);
-    } else if (case_.start.kind == StartKind::results) {
-        particles = particles_from_results<D>(case_, scheme, ResultsReader(case_.start.file),
-                                              case_.start.file.string());
+    if (from_start && case_.start.kind == StartKind::results) {
+        simulation_ = simulation_from_results<D>(case_, column, scheme);
     } else {
-        particles = initial_particles<D>(case_, scheme, column, twins_.section_velocity());
+        // A checkpoint takes the place of these: they need neither be read nor packed.
+        Case start = case_;
+        if (!from_start && start.start.kind == StartKind::results) start.start.kind = StartKind::rest;
+        simulation_ = make_simulation<D>(
+            case_, column,
+            initial_particles<D>(start, scheme, column, twins_.section_velocity(), from_start));
     }
-    simulation_ = make_simulation<D>(case_, column, std::move(particles));
     recorder_ = std::make_unique<Recorder>(case_, twins_);
 }
 

@@ -29,6 +29,7 @@ constexpr double inertia = 0.9;
 constexpr double pace = 0.3;
 constexpr double longest_move = 0.1;  // of a spacing, in an iteration
 constexpr int most_iterations = 2000;
+constexpr int iterations_against_air = 300;  ///< where it finds its places it takes some hundred
 constexpr double even_enough = 2e-3;
 // A start that is not asked to be packed keeps its lattice up to here.
 constexpr double worth_packing = 0.05;
@@ -93,7 +94,8 @@ Places<D> places_over_water(const Case& c, const SurfaceAtStart& surface, double
 template <int D>
 class Packer {
   public:
-    Packer(const Case& c, const Scheme& scheme, Particles<D>& particles)
+    /// `air_moves`: whether the places over the water may, beside a solid that stands through its surface.
+    Packer(const Case& c, const Scheme& scheme, bool air_moves, Particles<D>& particles)
         : c_(c),
           h_(scheme.smoothing_length),
           kernel_(scalar_kernel<D>(c.numerics.kernel)),
@@ -109,7 +111,8 @@ class Packer {
         places_ = particles.position;
         // The kernel of the water sees places up to 2 h above it, and those that move as far again.
         Places<D> above = places_over_water<D>(c, surface_, 2.0 * h_);
-        air_moves_ = c.channel.top == Top::free_surface && stands_through_surface(above);
+        stands_through_ = c.channel.top == Top::free_surface && stands_through_surface(above);
+        air_moves_ = air_moves && stands_through_;
         if (air_moves_) above = places_over_water<D>(c, surface_, 4.0 * h_);
         for (std::size_t k = 0; k < axes; ++k) {
             Places<D>& side = air_moves_ ? places_ : walls_;
@@ -119,13 +122,16 @@ class Packer {
         choose_mobile();
     }
 
-    PackedStart run() {
+    /// Whether a solid stands among the places over the water.
+    [[nodiscard]] bool stands_through() const { return stands_through_; }
+
+    PackedStart run(int at_most) {
         PackedStart result;
         std::vector<Sum> sums = sums_of_mobile();
         result.unevenness_before = result.unevenness_after = unevenness(sums);
         if (!c_.start.packed && result.unevenness_before < worth_packing) return result;
         notice(fmt::format("packing {} particles", mobile_.size()));
-        while (result.unevenness_after >= even_enough && result.iterations < most_iterations) {
+        while (result.unevenness_after >= even_enough && result.iterations < at_most) {
             parallel_blocks(mobile_.size(), packing_block, [&](std::size_t begin, std::size_t end) {
                 for (std::size_t m = begin; m < end; ++m) move(mobile_[m], sums[m].gradient);
             });
@@ -192,7 +198,7 @@ class Packer {
     [[nodiscard]] double reach_of_air() const { return 3.0 * h_; }
 
     [[nodiscard]] bool keeps_its_side(std::size_t place, const Vec<D>& at) const {
-        if (!air_moves_) return true;
+        if (!stands_through_) return true;
         const double over = surface_.distance<D>(at);
         return is_water(place) ? over < 0.0 : over > 0.0 && over < 2.0 * h_;
     }
@@ -200,7 +206,7 @@ class Packer {
     void choose_mobile() {
         for (std::size_t i = 0; i < places_[0].size(); ++i) {
             const Vec<D> place = vector_of(places_, i);
-            if (!is_water(i) && !keeps_its_side(i, place)) {
+            if (!is_water(i) && (!air_moves_ || !keeps_its_side(i, place))) {
                 continue;  // what the places over the water that move are pressed against
             }
             const double reach = is_water(i) ? reach_of_water() : reach_of_air();
@@ -301,6 +307,7 @@ class Packer {
     ScalarKernel kernel_;
     Domain<D> domain_;
     double volume_;  ///< of a particle of the lattice, m2 or m3
+    bool stands_through_ = false;
     bool air_moves_ = false;
     SurfaceAtStart surface_;
     SolidSurfaces surfaces_;
@@ -312,11 +319,27 @@ class Packer {
     std::vector<Mobile> mobile_;
 };
 
+/// Water that the case outlines may meet a solid at any slope. Beside a gentle one it packs against places
+/// that stand still, which disorders it less; where it does not, these move too.
+template <int D>
+PackedStart packed(const Case& c, const Scheme& scheme, Particles<D>& particles) {
+    if (!c.start.water_x.empty()) {
+        Particles<D> water = particles;
+        Packer<D> packer(c, scheme, false, water);
+        PackedStart packing = packer.run(packer.stands_through() ? iterations_against_air : most_iterations);
+        if (!packer.stands_through() || packing.unevenness_after < even_enough || packing.share.empty()) {
+            particles = std::move(water);
+            return packing;
+        }
+    }
+    return Packer<D>(c, scheme, true, particles).run(most_iterations);
+}
+
 }  // namespace
 
 template <int D>
 PackedStart pack_start(const Case& c, const Scheme& scheme, Particles<D>& particles) {
-    PackedStart packing = Packer<D>(c, scheme, particles).run();
+    PackedStart packing = packed<D>(c, scheme, particles);
     if (packing.share.empty()) return packing;
     notice(fmt::format(
         "packed in {} iterations: unevenness {:.2g}{}, was {:.2g}", packing.iterations,

@@ -16,8 +16,10 @@
 #include "record/field_content.hpp"
 #include "record/particle_fields.hpp"
 #include "record/run_fields.hpp"
+#include "solver/bodies_of_results.hpp"
 #include "solver/recorder.hpp"
 #include "solver/recycled_start.hpp"
+#include "solver/start.hpp"
 
 namespace riffle::inline solver {
 
@@ -316,6 +318,29 @@ Particles<D> particles_from_results(const Case& c, const Scheme& scheme, const R
     return p;
 }
 
+template <int D>
+std::unique_ptr<SimulationIn<D>> simulation_from_results(const Case& c, const ColumnResult* column,
+                                                         const Scheme& scheme) {
+    const ResultsReader results(c.start.file);
+    const std::string file_name = c.start.file.string();
+    Particles<D> particles = particles_from_results<D>(c, scheme, results, file_name);
+    const Case other = parse_case(results.read_string(fields::stored_case.text.path()), file_name);
+    const std::vector<FreeBodyState> bodies = bodies_from_results(c, other, results, file_name);
+    // The walls stand where the bodies are before the water is looked at.
+    if (bodies.empty()) return make_simulation<D>(c, column, std::move(particles));
+    Case still = c;
+    still.start.kind = StartKind::rest;
+    auto simulation = make_simulation<D>(c, column, initial_particles<D>(still, scheme, column, {}, false));
+    SimulationClock clock = simulation->clock();
+    clock.free_bodies = clock.listed_free_bodies = bodies;
+    simulation->restore(std::move(particles), clock, std::vector<double>(simulation->walls().size()));
+    return simulation;
+}
+
+template std::unique_ptr<SimulationIn<2>> simulation_from_results(const Case&, const ColumnResult*,
+                                                                  const Scheme&);
+template std::unique_ptr<SimulationIn<3>> simulation_from_results(const Case&, const ColumnResult*,
+                                                                  const Scheme&);
 template void add_state(Content&, const SimulationIn<2>&);
 template void add_state(Content&, const SimulationIn<3>&);
 template void add_clock(Content&, const SimulationIn<2>&);

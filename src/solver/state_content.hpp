@@ -1,5 +1,6 @@
 #pragma once
 
+#include <memory>
 #include <string>
 
 #include "output/checkpoint_file.hpp"
@@ -31,5 +32,12 @@ void restore_state(const CheckpointReader& checkpoint, SimulationIn<D>& simulati
 template <int D>
 [[nodiscard]] Particles<D> particles_from_results(const Case& c, const Scheme& scheme,
                                                   const ResultsReader& results, const std::string& file_name);
+
+/// A simulation that starts from the last state in the results file that the case names, its free bodies too
+/// (solver/bodies_of_results.hpp).
+template <int D>
+[[nodiscard]] std::unique_ptr<SimulationIn<D>> simulation_from_results(const Case& c,
+                                                                       const ColumnResult* column,
+                                                                       const Scheme& scheme);
 
 }  // namespace riffle::inline solver

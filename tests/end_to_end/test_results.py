@@ -203,6 +203,35 @@ class Results(CommandLineTest):
         self.fail_with(2, "run", CASE, "-o", self.folder / "third", *SMALL, *until(0.1), *source, "--set", 'channel.length="90 mm"',
                        says=["channel.length is 0.06 m there and 0.09 m here", "several times"])
 
+    def test_free_bodies_go_on_from_where_the_results_leave_them(self):
+        import h5py
+        import numpy
+
+        case = SOURCE / "cases/bodies/floating-box.toml"
+        common = ["-q", "-j", 1, "--set", "numerics.spacing=5mm", "--set", 'solid.box.centre=["200 mm", "140 mm"]']
+        first, second = self.folder / "first", self.folder / "second"
+        self.succeed("run", case, "-o", first, *common, *until(0.3))
+        source = ["--set", "start.kind=results", "--set", f'start.file="{first / "results.h5"}"']
+        self.succeed("run", case, "-o", second, *common, *source, *until(0.1))
+        whole = self.folder / "whole"
+        self.succeed("run", case, "-o", whole, *common, *until(0.4))
+
+        def motion(folder, name):
+            with h5py.File(folder / "results.h5") as file:
+                force = file["probes/standard_force"]
+                return force["time"][:], force[f"body_{name}_1"][:]
+
+        # As in a run that was not broken off, to a fiftieth of what it has gone by then.
+        for name in ("z", "velocity_z"):
+            (time, value), (further, others) = motion(whole, name), motion(second, name)
+            scale = abs(value - value[0]).max()
+            self.assertGreater(len(others), 5)
+            self.assertLess(abs(others - numpy.interp(0.3 + further, time, value)).max(), 0.02 * scale, name)
+        # Another weight, or water on other places: neither can go on.
+        for change in ("solid.box.density=700", "numerics.spacing=4mm"):
+            self.fail_with(2, "run", case, "-o", self.folder / "third", *common, *source, "--set", change, *until(0.1),
+                           says=['at the end of that run the solid "box" stood elsewhere than the case draws it', "mm along z", "draw the solid where it stood then"])
+
     def test_the_case_in_the_results_runs_again_to_the_same_results(self):
         import h5py
         from riffle_cli import riffle

@@ -1,0 +1,170 @@
+#include "solver/bodies_of_results.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <optional>
+
+#include "base/error.hpp"
+#include "boundary/wall_motion.hpp"
+#include "case/outline_check.hpp"
+#include "record/particle_fields.hpp"
+#include "solver/recycled_start.hpp"
+
+namespace riffle::inline solver {
+
+namespace {
+
+/// A solid that moved by less of a spacing stands where it stood.
+constexpr double moved_spacings = 0.05;
+
+/// Whether two cases draw a solid alike. Files are compared by their name: each case knows its own folder.
+bool is_drawn_alike(const Solid& a, const Solid& b) {
+    const auto shape = [](const Solid& s) {
+        Solid drawn;
+        drawn.name = s.name;
+        drawn.shape = s.shape;
+        drawn.x = s.x;
+        drawn.z = s.z;
+        drawn.file = s.file.filename();
+        drawn.scale = s.scale;
+        drawn.place = s.place;
+        drawn.centre = s.centre;
+        drawn.size = s.size;
+        drawn.angle = s.angle;
+        drawn.diameter = s.diameter;
+        drawn.length = s.length;
+        drawn.axis = s.axis;
+        return drawn;
+    };
+    return shape(a) == shape(b);
+}
+
+bool weighs_the_same(const Solid& a, const Solid& b) {
+    return a.density == b.density && a.mass == b.mass && a.centre_of_mass == b.centre_of_mass &&
+           a.inertia == b.inertia;
+}
+
+/// Corners of a solid at t = 0, in three dimensions of the box around it.
+std::vector<Point3> corners_of(const Case& c, const Solid& solid) {
+    std::vector<Point3> corners;
+    if (c.channel.dimensions == 2) {
+        for (std::size_t i = 0; i < solid.x.size(); ++i) corners.push_back({solid.x[i], 0.0, solid.z[i]});
+        return corners;
+    }
+    const auto x = extent_of(c, solid, 0);
+    const auto y = extent_of(c, solid, 1);
+    const auto z = extent_of(c, solid, 2);
+    if (!x || !y || !z) return corners;
+    for (const double at_x : {x->low, x->high}) {
+        for (const double at_y : {y->low, y->high}) {
+            for (const double at_z : {z->low, z->high}) corners.push_back({at_x, at_y, at_z});
+        }
+    }
+    return corners;
+}
+
+/// The states of the free bodies at the end of a run, in the order of its case.
+std::vector<FreeBodyState> last_states(const Case& other, const ResultsReader& results,
+                                       const std::string& file_name) {
+    const auto count = static_cast<std::size_t>(std::count_if(
+        other.solids.begin(), other.solids.end(), [](const Solid& solid) { return solid.is_free(); }));
+    if (count == 0) return {};
+    const std::string path = fields::state.free_bodies.path();
+    const std::vector<double> numbers =
+        results.has(path) ? results.read_doubles(path) : std::vector<double>();
+    if (numbers.size() < FreeBodyState::count * count) {
+        throw InputError(fmt::format(
+            "[start] file = \"{}\" does not hold the places of its {} free bodies: the file has been altered; give "
+            "one as `riffle run` wrote it",
+            file_name, count));
+    }
+    std::vector<FreeBodyState> states;
+    for (std::size_t n = 0; n < count; ++n) {
+        std::array<double, FreeBodyState::count> own{};
+        std::copy_n(numbers.begin() + static_cast<std::ptrdiff_t>(n * own.size()), own.size(), own.begin());
+        states.push_back(FreeBodyState::from(own));
+    }
+    return states;
+}
+
+/// "12 mm along x, 30 mm down, turned by 4 degrees".
+std::string way_text(const BodyState& body) {
+    std::string text;
+    for (std::size_t k = 0; k < 3; ++k) {
+        const double way = 1e3 * body.displacement[k];
+        if (std::abs(way) < 1e-3) continue;
+        text += fmt::format("{:.4g} mm along {}, ", way, "xyz"[k]);
+    }
+    text.resize(std::max<std::size_t>(text.size(), 2) - 2);
+    const Rotation& r = body.rotation;
+    const double turn = std::acos(std::clamp(0.5 * (r[0] + r[4] + r[8] - 1.0), -1.0, 1.0));
+    if (body.turns && turn > 1e-4) {
+        text += fmt::format("{}turned by {:.3g} degrees", text.empty() ? "" : ", ",
+                            turn * 180.0 / std::numbers::pi);
+    }
+    return text;
+}
+
+/// Number of a solid among the free ones of its case.
+std::size_t number_among_free(const Case& c, std::size_t solid) {
+    return static_cast<std::size_t>(std::count_if(c.solids.begin(),
+                                                  c.solids.begin() + static_cast<std::ptrdiff_t>(solid),
+                                                  [](const Solid& s) { return s.is_free(); }));
+}
+
+}  // namespace
+
+std::vector<FreeBodyState> bodies_from_results(const Case& c, const Case& other, const ResultsReader& results,
+                                               const std::string& file_name) {
+    const std::vector<FreeBodyState> last = last_states(other, results, file_name);
+    const Field& clock = fields::clock.time;
+    const auto end = results.attribute(clock.group->path, clock.name);
+    // The solids as this case finds their files, moved as that run moved them.
+    Case moved = other;
+    std::vector<std::optional<std::size_t>> here(other.solids.size());
+    for (std::size_t k = 0; k < other.solids.size(); ++k) {
+        for (std::size_t i = 0; i < c.solids.size(); ++i) {
+            if (!is_drawn_alike(c.solids[i], other.solids[k])) continue;
+            here[k] = i;
+            moved.solids[k].file = c.solids[i].file;
+        }
+    }
+    // One that is not here any more may have had a file that is not here either.
+    for (std::size_t k = 0; k < other.solids.size(); ++k) {
+        if (!here[k]) moved.solids[k].motion = SolidMotion::fixed;
+    }
+    std::vector<FreeBodyState> kept;
+    for (std::size_t k = 0; k < other.solids.size(); ++k) {
+        if (moved.solids[k].is_free()) kept.push_back(last[number_among_free(other, k)]);
+    }
+    const std::vector<BodyState> bodies = WallMotion(moved).at(end ? std::get<double>(*end) : 0.0, kept);
+    std::vector<FreeBodyState> states;
+    for (std::size_t k = 0; k < other.solids.size(); ++k) {
+        if (!here[k] || other.solids[k].rests()) continue;
+        const Solid& solid = c.solids[*here[k]];
+        const BodyState& body = bodies[static_cast<std::size_t>(first_solid) + k];
+        double way = 0.0;
+        for (const Point3& corner : corners_of(c, solid)) {
+            const Point3 to = body.placed(corner);
+            way = std::max(way, std::hypot(to[0] - corner[0], to[1] - corner[1], to[2] - corner[2]));
+        }
+        const bool goes_on = solid.is_free() && other.solids[k].is_free() &&
+                             weighs_the_same(solid, other.solids[k]) && !is_recycled(c, other);
+        if (goes_on) {
+            if (states.empty()) states.resize(number_among_free(c, c.solids.size()));
+            states[number_among_free(c, *here[k])] = last[number_among_free(other, k)];
+        } else if (way > moved_spacings * c.numerics.spacing) {
+            throw InputError(fmt::format(
+                "[start] file = \"{}\": at the end of that run the solid \"{}\" stood elsewhere than the case draws "
+                "it ({}), and its water does not fit: draw the solid where it stood then. A free body of the same "
+                "shape and weight goes on by itself, in a run of the same spacing and length",
+                file_name, solid.name, way_text(body)));
+        }
+    }
+    return states;
+}
+
+}  // namespace riffle::inline solver
