@@ -1,8 +1,10 @@
 #pragma once
 
 #include <algorithm>
+#include <optional>
 #include <vector>
 
+#include "boundary/round_body.hpp"
 #include "boundary/solid_surface.hpp"
 #include "boundary/surface_pieces.hpp"
 #include "boundary/wall_motion.hpp"
@@ -34,6 +36,7 @@ class SolidForces final : public Component<D, Real> {
                                    ? solid_volume(c, solid).volume
                                    : 0.0);
             free_.push_back(solid.is_free());
+            round_.push_back(solid.is_free() ? round_body(solid) : std::nullopt);
         }
         if (flow.particle_data.reference_pressure.acts()) {
             for (std::size_t solid = 0; solid < lists_.size(); ++solid) {
@@ -82,8 +85,12 @@ class SolidForces final : public Component<D, Real> {
         for (std::size_t solid = 0; solid < reference_loads_.size(); ++solid) {
             flow.solid_forces[solid] += reference_loads_[solid];
         }
+        static const BodyState rest;
         for (std::size_t solid = 0; solid < lists_.size(); ++solid) {
-            if (volumes_[solid] > 0.0 && wanted(flow, solid)) add_spin(flow, solid, flow.solid_forces[solid]);
+            if (!wanted(flow, solid)) continue;
+            if (volumes_[solid] > 0.0) add_spin(flow, solid, flow.solid_forces[solid]);
+            const BodyState& body = flow.bodies.empty() ? rest : flow.bodies[first_solid + solid];
+            if (round_[solid]) round_[solid]->clear_moment(flow.solid_forces[solid], points_[solid], body);
         }
     }
 
@@ -204,6 +211,8 @@ class SolidForces final : public Component<D, Real> {
     std::vector<Vec<3>> points_;   ///< of each solid, the one that its moments are about, at t = 0
     std::vector<double> volumes_;  ///< of those that turn and hold the water, m3; else 0
     std::vector<bool> free_;
+    /// Of free bodies alone: beside a wall that turns the pressure of the pairs takes a part of the friction.
+    std::vector<std::optional<RoundBody>> round_;
     std::vector<NeighbourList> lists_;  ///< of FlowOf::fluid_wall, the pairs with each solid
     NeighbourList no_list_;             ///< without any neighbour, for as many clusters
     std::vector<SolidFeet<D, Real>> feet_;

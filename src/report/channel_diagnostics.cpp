@@ -57,7 +57,7 @@ class ChannelRows : public DiagnosticRows {
              narrow ? fmt::format("{:.1f}, but the velocity stays within {} of its mean", found->value,
                                   percent(change->value, 3))
                     : fmt::format("{:.1f}", found->value),
-             changes_in_time() ? "none where what enters or rules the outflow changes in time"
+             changes_in_time() ? "none where the case changes the flow in time"
                                : "10 make an interval; or a velocity that does not vary",
              "Length of the window over twice the integral time scale of the depth-mean velocity. Fewer "
              "make no interval of the mean that can be trusted, and slow changes are not seen.",
@@ -79,7 +79,8 @@ class ChannelRows : public DiagnosticRows {
              "By the trend of the logarithm of the velocity fluctuation. One that grows says that the "
              "particles are leaving the order they started in: the flow is on its way to another state, with "
              "another mean.",
-             least <= bar         ? Health::good
+             changes_in_time()    ? Health::none
+             : least <= bar       ? Health::good
              : least <= 2.0 * bar ? Health::caution
                                   : Health::bad});
     }
@@ -134,7 +135,7 @@ class ChannelRows : public DiagnosticRows {
              "What flow and pressure bring in at one end and take out at the other, with the weight down the slope, bed, walls "
              "and bodies must take, the bodies by the pressure on their faces (form drag) and by friction. Over the "
              "sum of these forces; more in a flow that is not steady.",
-             mark_of(std::abs(found->value), bar)});
+             changes_in_time() ? Health::none : mark_of(std::abs(found->value), bar)});
     }
 
     void bodies_share() {
@@ -229,7 +230,7 @@ class ChannelRows : public DiagnosticRows {
              fmt::format("at most {:.2f} mm per minute, 0.5 % of the depth", 1000 * bar * depth),
              open_
                  ? "Where as much water enters as leaves, the level stays. A drift means that the flow is still on "
-                   "its way, or that what enters or rules the outflow changes."
+                   "its way, or that the case changes it: what enters, what rules the outflow, a solid that moves."
                  : "Water is neither lost nor added, so the level must stay. A drift means that the particles' "
                    "volume changes.",
              changes_in_time()
@@ -321,11 +322,14 @@ class ChannelRows : public DiagnosticRows {
     }
 
   private:
-    /// Whether what the case gives at open ends changes in time.
+    /// Whether the flow changes because the case says so: by what it gives at open ends, or by solids that it
+    /// moves.
     [[nodiscard]] bool changes_in_time() const {
         const Case& c = data_.flow;
-        return open_ && !(c.inflow.discharge_file.empty() && c.inflow.depth_file.empty() &&
-                          c.outflow.depth_file.empty());
+        const bool moves = std::any_of(c.solids.begin(), c.solids.end(),
+                                       [](const Solid& solid) { return !solid.rests() && !solid.is_free(); });
+        return moves || (open_ && !(c.inflow.discharge_file.empty() && c.inflow.depth_file.empty() &&
+                                    c.outflow.depth_file.empty()));
     }
 
     /// A drift counts as bad only where it stands out of its own uncertainty.

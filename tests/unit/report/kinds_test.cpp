@@ -200,6 +200,31 @@ TEST(Kinds, AFloodIsJudgedByItsAccountAndNotByAMean) {
     EXPECT_NE(row(rows, "density_range")->mark, Health::good);
 }
 
+// A gate that the case lowers changes the flow: no mean is asked for.
+TEST(Kinds, AGateThatMovesIsNotJudgedByAMean) {
+    ReportData data = channel();
+    data.flow.channel.ends = Ends::open;
+    data.flow.inflow.unit_discharge = 0.02;
+    data.column = {};
+    Solid gate;
+    gate.name = "gate";
+    data.flow.solids = {gate};
+    Analysis analysis;
+    analysis.findings = {finding("effective_samples", 1.7), finding("velocity_range_in_window", 0.8),
+                         finding("momentum_residual_share", 0.2), finding("velocity_fluctuation_growth", 9)};
+    const auto marks = [&] {
+        std::vector<Health> found;
+        const std::vector<Diagnostic> rows = diagnose(data, analysis);
+        for (const char* key : {"independent_samples", "momentum_budget", "fluctuation_growth"}) {
+            found.push_back(row(rows, key)->mark);
+        }
+        return found;
+    };
+    EXPECT_THAT(marks(), testing::Each(Health::bad));
+    data.flow.solids[0].motion = SolidMotion::constant;
+    EXPECT_THAT(marks(), testing::Each(Health::none));
+}
+
 // The section at the outflow may miss what gaps between the particles carry; their account does not.
 TEST(Kinds, WhatLeavesIsJudgedByTheParticles) {
     ReportData data = channel();

@@ -90,6 +90,41 @@ TEST(FreeBodyInWater, SharesItsMomentumWithTheWater) {
     EXPECT_NEAR(now.z, 0.4 * whole, 1e-4 * whole);
 }
 
+// Pressure alone would turn it the faster the longer: half a radian a second by then.
+TEST(FreeBodyInWater, ALogThatFloatsStaysAsItIs) {
+    const Case c = parse_case(R"(
+[channel]
+slope = 0
+depth = "0.2 m"
+length = "0.6 m"
+ends = "walls"
+[bed]
+kind = "slip"
+[turbulence]
+closure = "none"
+[numerics]
+spacing = "10 mm"
+[start]
+kind = "rest"
+[run]
+until = "3 s"
+[[solid]]
+name = "log"
+shape = "circle"
+centre = ["0.3 m", "0.2 m"]
+diameter = "0.1 m"
+motion = "free"
+density = 500
+)",
+                              "log");
+    const auto simulation = test::simulation_of<2>(c);
+    while (simulation->clock().time < 2.5) simulation->step();
+    const FreeBodyState& log = simulation->clock().free_bodies[0];
+    EXPECT_LT(std::abs(log.angular_velocity[1]), 0.01);
+    EXPECT_LT(std::abs(log.displacement[0]), 0.002);
+    EXPECT_LT(std::abs(log.displacement[2]), 0.002);
+}
+
 void expect_same_bodies(const Simulation& a, const Simulation& b) {
     ASSERT_EQ(a.clock().free_bodies.size(), b.clock().free_bodies.size());
     for (std::size_t n = 0; n < a.clock().free_bodies.size(); ++n) {
