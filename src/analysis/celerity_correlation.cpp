@@ -112,22 +112,35 @@ struct Extreme {
     double correlation = 0.0;
 };
 
+/// Of extremes that are as good as equal, in a wave that repeats, none is the largest by right.
+constexpr double as_good = 0.95;
+
 /// The largest |R| that is a local extreme within `reach` of the expected lag, by the parabola through it and
-/// the lags `step` away to each side.
+/// the lags `step` away to each side. Of those as good, a maximum before a minimum, and the nearest: the
+/// correlation of a regular wave has both in each period.
 Extreme extreme_near(std::span<const double> r, double expected, double reach, std::size_t step) {
     const std::size_t centre = r.size() / 2;
     const auto middle = static_cast<double>(centre);
-    Extreme best;
+    std::vector<std::size_t> extremes;
+    double largest = 0.0;
     for (std::size_t k = 1; k + 1 < r.size(); ++k) {
         if (std::abs(static_cast<double>(k) - middle - expected) > reach) continue;
         const double size = std::abs(r[k]);
         const double sign = r[k] < 0.0 ? -1.0 : 1.0;
-        if (size < sign * r[k - 1] || size < sign * r[k + 1] || size <= std::abs(best.correlation)) continue;
-        const std::size_t apart = k >= step && k + step < r.size() ? step : 1;
-        const ParabolaExtreme p = parabola_extreme(r[k - apart], r[k], r[k + apart]);
-        best = {static_cast<double>(k) - middle + p.offset * static_cast<double>(apart), p.value};
+        if (size < sign * r[k - 1] || size < sign * r[k + 1] || size == 0.0) continue;
+        extremes.push_back(k);
+        largest = std::max(largest, size);
     }
-    return best;
+    const auto rank = [&](std::size_t k) {
+        return std::pair(r[k] < 0.0, std::abs(static_cast<double>(k) - middle - expected));
+    };
+    std::erase_if(extremes, [&](std::size_t k) { return std::abs(r[k]) < as_good * largest; });
+    if (extremes.empty()) return {};
+    const std::size_t k = *std::min_element(extremes.begin(), extremes.end(),
+                                            [&](std::size_t i, std::size_t j) { return rank(i) < rank(j); });
+    const std::size_t apart = k >= step && k + step < r.size() ? step : 1;
+    const ParabolaExtreme p = parabola_extreme(r[k - apart], r[k], r[k + apart]);
+    return {static_cast<double>(k) - middle + p.offset * static_cast<double>(apart), p.value};
 }
 
 struct Line {

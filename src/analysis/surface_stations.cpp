@@ -6,6 +6,7 @@
 #include <cmath>
 #include <limits>
 #include <numeric>
+#include <optional>
 #include <set>
 
 #include "analysis/figure_tools.hpp"
@@ -28,18 +29,38 @@ void remove_mean(std::vector<double>& values) {
 }
 
 /// The extreme that belongs to what the water carries from one place to the next: of the significant maxima
-/// whose celerity is between half and twice the velocity the highest; null without one. Others belong to
-/// patterns that follow each other, or that come round a periodic channel once more.
+/// whose celerity is between half and twice the velocity the highest, of those as good the first; null
+/// without one. Others belong to patterns that follow each other, or that come round a periodic channel once
+/// more.
 const CorrelationExtreme* arrival(const std::vector<CorrelationExtreme>& extremes, double distance,
                                   double velocity) {
-    const CorrelationExtreme* best = nullptr;
-    for (const CorrelationExtreme& extreme : extremes) {
-        if (!extreme.significant || !extreme.maximum || extreme.lag <= 0.0) continue;
+    constexpr double as_good = 0.95;
+    const auto arrives = [&](const CorrelationExtreme& extreme) {
+        if (!extreme.significant || !extreme.maximum || extreme.lag <= 0.0) return false;
         const double celerity = distance / extreme.lag;
-        if (velocity > 0.0 && (celerity < 0.5 * velocity || celerity > 2.0 * velocity)) continue;
-        if (best == nullptr || extreme.correlation > best->correlation) best = &extreme;
+        return velocity <= 0.0 || (celerity >= 0.5 * velocity && celerity <= 2.0 * velocity);
+    };
+    double highest = 0.0;
+    for (const CorrelationExtreme& extreme : extremes) {
+        if (arrives(extreme)) highest = std::max(highest, extreme.correlation);
     }
-    return best;
+    const auto first = std::find_if(extremes.begin(), extremes.end(), [&](const CorrelationExtreme& extreme) {
+        return arrives(extreme) && extreme.correlation >= as_good * highest;
+    });
+    return first == extremes.end() ? nullptr : &*first;
+}
+
+/// After what time a record repeats itself, s: the first maximum of its correlation with itself that is
+/// nearly one. Nothing for one that does not, as those of turbulence.
+std::optional<double> period_of(std::span<const double> values, double interval, std::size_t lags) {
+    constexpr double nearly_one = 0.8;
+    const CrossCorrelation own = cross_correlation(values, values, interval, lags);
+    for (const CorrelationExtreme& extreme : correlation_extremes(own)) {
+        if (extreme.lag > 0.5 * interval && extreme.maximum && extreme.correlation > nearly_one) {
+            return extreme.lag;
+        }
+    }
+    return std::nullopt;
 }
 
 /// 95 % half-width of the lag of an extreme: the maximum nearest to it in quarters of the record, whose
@@ -234,6 +255,13 @@ void add_station_correlations(const FlowRecord& record, const std::vector<Surfac
             if (velocity > 0.0) finding.remark += ", looked for from 0.5 U to 2 U";
             const double of_surface = surface_velocity(record);
             if (of_surface > 0.0) finding.remark += "; " + beside_surface_velocity(finding.value, of_surface);
+            if (const auto period = period_of(std::span(first.elevation).first(samples), first.interval,
+                                              correlation.lag.size() / 2)) {
+                finding.remark += fmt::format(
+                    "; the record repeats itself after {:.3g} s, and the lag is known but for whole periods: it is "
+                    "right for places less than a wave apart",
+                    *period);
+            }
             // The arrival in parts of the record: independent estimates of the lag.
             const double half_width =
                 lag_half_width(std::span(first.elevation).first(samples),

@@ -186,6 +186,25 @@ TEST(StationCelerity, OfWaveProbesAtUnevenPlaces) {
     EXPECT_THROW((void)station_celerity(flat, 1.0 / 60.0), InputError);
 }
 
+// A regular wave correlates as well with the trough half a period off, and with the crest of another period.
+TEST(StationCelerity, OfARegularWaveBetweenGaugesIsItsOwn) {
+    constexpr double speed = 1.373;
+    constexpr double frequency = 1.0;
+    constexpr double interval = 0.02;
+    for (const double distance : {0.1, 0.3, 0.45, 0.6}) {
+        std::vector<StationRecord> gauges(2);
+        for (std::size_t i = 0; i < gauges.size(); ++i) {
+            gauges[i].x = static_cast<double>(i) * distance;
+            for (int k = 0; k < 3000; ++k) {
+                const double phase =
+                    2.0 * std::numbers::pi * frequency * (k * interval - gauges[i].x / speed);
+                gauges[i].values.push_back(std::cos(phase));
+            }
+        }
+        EXPECT_NEAR(station_celerity(gauges, interval).celerity.value, speed, 0.01 * speed) << distance;
+    }
+}
+
 TEST(RidgeCelerity, OfATravellingSurface) {
     Found clean, noisy;
     for (std::uint64_t seed = 1; seed <= trials; ++seed) {
