@@ -213,9 +213,10 @@ void add_fronts(const FlowRecord& record, Analysis& analysis) {
 /// Profiles of u at the first velocity probe at times: how the flow over the depth develops.
 void add_velocity_lines(const FlowRecord& record, Analysis& analysis) {
     for (const VelocityProbe& probe : record.velocity_probes()) {
-        const bool upright = probe.z.size() > 2 && std::all_of(probe.x.begin(), probe.x.end(), [&](double x) {
-                                 return x == probe.x.front();
-                             });
+        const auto one_place = [](const std::vector<double>& places) {
+            return std::all_of(places.begin(), places.end(), [&](double at) { return at == places.front(); });
+        };
+        const bool upright = probe.z.size() > 2 && one_place(probe.x) && one_place(probe.y);
         if (!upright || probe.time.size() < 2) continue;
         Figure figure = make_figure(
             chapters::course, "velocity_lines", "Velocity over the depth at times",

@@ -131,7 +131,10 @@ void analyse_forces(const FlowRecord& record, Analysis& analysis) {
     add_gauges(record, analysis);
     add_instruments(
         record, "force",
-        make_figure(chapters::forces, "force_instruments", "Forces on bed and walls",
+        make_figure(chapters::forces, "force_instruments",
+                    record.flow() != nullptr && !record.flow()->solids.empty()
+                        ? "Forces on bed, walls and solids"
+                        : "Forces on bed and walls",
                     fmt::format("Forces between the water and its bed and walls, and the weight component "
                                 "down the slope, {}, as the instruments recorded them.",
                                 in_space ? "of the whole channel" : "per unit width"),

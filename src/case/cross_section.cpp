@@ -80,6 +80,14 @@ std::string trapezoid_fault(const Case& c, const Solid& solid) {
                            shown(*solid.bank_height * solid.bank_slope),
                            shown(0.5 * (c.channel.width - solid.bottom_width)));
     }
+    const double beside =
+        0.5 * (c.channel.width - solid.bottom_width) - solid.bank_slope * solid.bank_height.value_or(0.0);
+    if (compound && solid.floodplain_width.value_or(0.0) > beside * (1.0 + 1e-6)) {
+        return fmt::format(
+            "floodplain_width is {}, and {} are left beside the banks: without it the "
+            "floodplains reach to the sides",
+            shown(*solid.floodplain_width), shown(beside));
+    }
     return compound && solid.floodplain_width && solid.bank_slope == 0.0
                ? "has a floodplain_width and upright banks: without it the floodplains reach to the sides"
                : "";

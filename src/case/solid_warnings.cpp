@@ -108,9 +108,29 @@ Findings spheres_in_spheres(const Case& c, const Solid& solid) {
     return {};
 }
 
-/// A velocity probe of which a point stands in a solid.
+/// The solid at rest that takes the room of a probe's point. A pressure gauge may stand on a face, and a wave
+/// gauge over what the water covers at the start.
+std::optional<std::size_t> solid_over(const Case& c, const SolidPlaces& solids, ProbeKind kind, Point3 p) {
+    const double half = 0.5 * c.numerics.spacing;
+    if (kind == ProbeKind::wave) p[2] = c.total_depth() - half;
+    const auto solid = solids.resting_at(p);
+    if (kind != ProbeKind::pressure || !solid) return solid;
+    for (const double away : {-half, half}) {
+        for (const std::size_t axis : {std::size_t{0}, std::size_t{1}, std::size_t{2}}) {
+            if (axis == 1 && !in_space(c)) continue;
+            Point3 beside = p;
+            beside[axis] += away;
+            if (!solids.resting_at(beside)) return std::nullopt;
+        }
+    }
+    return solid;
+}
+
+/// A probe of points of which one stands in a solid.
 Findings in_solid(const Case& c, const Probe& probe) {
-    if (probe.kind != ProbeKind::velocity || c.solids.empty()) return {};
+    const bool of_points = probe.kind == ProbeKind::velocity || probe.kind == ProbeKind::pressure ||
+                           probe.kind == ProbeKind::wave;
+    if (!of_points || c.solids.empty()) return {};
     const SolidPlaces solids(c);
     const auto at = [](const std::vector<double>& values, std::size_t i, double otherwise) {
         return values.empty() ? otherwise : values[std::min(i, values.size() - 1)];
@@ -118,9 +138,10 @@ Findings in_solid(const Case& c, const Probe& probe) {
     const std::size_t points = std::max(probe.x.size(), probe.z.size());
     for (std::size_t i = 0; i < points; ++i) {
         const Point3 p{at(probe.x, i, 0.0), at(probe.y, i, c.channel.centreline()), at(probe.z, i, 0.0)};
-        if (const auto solid = solids.resting_at(p)) {
-            return found_if(true, "its point at x = {}, z = {} stands in the solid \"{}\"",
-                            shown_length(p[0]), shown_length(p[2]), c.solids[*solid].name);
+        if (const auto solid = solid_over(c, solids, probe.kind, p)) {
+            return found_if(true, "its point at x = {}{} stands in the solid \"{}\"", shown_length(p[0]),
+                            probe.kind == ProbeKind::wave ? "" : ", z = " + shown_length(p[2]),
+                            c.solids[*solid].name);
         }
     }
     return {};
@@ -131,8 +152,8 @@ Findings in_solid(const Case& c, const Probe& probe) {
 CheckList solid_warnings() {
     return {{
         {{"probe.x", "probe.z", "probe.name"},
-         "a point of a velocity probe in a solid",
-         "no water comes there, and it records nothing",
+         "a point of a velocity, pressure or wave probe in a solid",
+         "no water comes there, and it records nothing, or what its neighbourhood has",
          "move it",
          in_solid},
         {{"solid.motion", "channel.dimensions"},

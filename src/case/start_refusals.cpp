@@ -39,10 +39,21 @@ CheckList start_refusals() {
          "",
          "or give the velocity, for example velocity = \"0.3 m/s\"",
          [](const Case& c) {
-             const auto reason = why_no_column(c);
-             // The velocity of a canal is that of its hydraulic radius.
-             const bool asked = (starts_as(c, StartKind::uniform) && canal_of(c) == nullptr) ||
-                                starts_as(c, StartKind::power_law);
+             auto reason = why_no_column(c);
+             // The velocity of a canal is that of its hydraulic radius. One that is drawn wrong is told of
+             // that.
+             const auto canal = std::find_if(c.solids.begin(), c.solids.end(),
+                                             [](const Solid& solid) { return is_section(solid.shape); });
+             const bool is_canal =
+                 canal_of(c) != nullptr || (canal != c.solids.end() && !section_fault(c, *canal).empty());
+             if (canal != c.solids.end() && c.solids.size() > 1) {
+                 reason = fmt::format(
+                     "\"{}\" is a cross-section beside other solids, and the velocity of a canal is known where "
+                     "nothing stands in it",
+                     canal->name);
+             }
+             const bool asked =
+                 (starts_as(c, StartKind::uniform) && !is_canal) || starts_as(c, StartKind::power_law);
              return found_if(asked && c.channel.ends != Ends::open && !c.start.velocity && reason,
                              "velocity is missing, and the case has no column twin to take it from: {}",
                              reason.value_or(""));

@@ -194,12 +194,13 @@ struct Forces {
     Field bed_drag =
         force("bed_drag", {"drag of the water on the bed's roughness, downstream, per unit width",
                            "drag of the water on the bed's roughness, downstream"});
-    Field wall_force = force("wall_force", {"force of the water on the walls, downstream, per unit width",
-                                            "force of the water on the walls, downstream"});
+    Field wall_force =
+        force("wall_force", {"force of the water on walls and solids, downstream, per unit width",
+                             "force of the water on walls and solids, downstream"});
     Field wall_normal_force =
         force("wall_normal_force",
-              {"force of the water on the walls, normal to the bed and downward, per unit width",
-               "force of the water on the walls, normal to the bed and downward"});
+              {"force of the water on walls and solids, normal to the bed and downward, per unit width",
+               "force of the water on walls and solids, normal to the bed and downward"});
     Field weight_component =
         force("weight_component", {"component of the water's weight down the bed, per unit width",
                                    "component of the water's weight down the bed"});

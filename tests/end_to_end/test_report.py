@@ -104,6 +104,8 @@ class Report(CommandLineTest):
                         ["analyse", folder, "--json", case], ["schema", "-o", case], ["schema", "--markdown", "-o", case]):
             with self.subTest(command=command[0]):
                 self.fail_with(2, *command, says=["would be lost", str(command[-1])])
+        self.fail_with(2, "report", folder, "-o", self.folder / "page.pdf", says=["page.pdf", "NAME.html", "print it to a file"])
+        self.assertFalse((self.folder / "page.pdf").exists())
         tables = self.folder / "tables"
         tables.mkdir()
         for name in ("velocity_history.csv", "findings.csv"):

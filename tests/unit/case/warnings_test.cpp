@@ -209,6 +209,23 @@ TEST(Warnings, OfLayersOfSpheresInEachOther) {
     EXPECT_THAT(warned("25 mm"), IsEmpty());
 }
 
+// Gauges in a weir of 0.08 to 0.12 m, 30 mm high, on its faces and over it.
+TEST(Warnings, GaugesInASolid) {
+    const auto warned = [](const std::string& probe) {
+        return warnings_about(
+            with_keys(with_solid(), "probe[0].name = gauge; probe[0].sampling_frequency = 50; " + probe),
+            "no water comes there");
+    };
+    EXPECT_THAT(warned("probe[0].kind = velocity; probe[0].x = [0.1]; probe[0].z = [0.01]"), Not(IsEmpty()));
+    EXPECT_THAT(warned("probe[0].kind = pressure; probe[0].x = [0.1]; probe[0].z = [0.01]"), Not(IsEmpty()));
+    EXPECT_THAT(warned("probe[0].kind = pressure; probe[0].x = [0.08]; probe[0].z = [0.01]"), IsEmpty());
+    EXPECT_THAT(warned("probe[0].kind = pressure; probe[0].x = [0.1]; probe[0].z = [0.03]"), IsEmpty());
+    // The water covers the weir, but not a pier.
+    EXPECT_THAT(warned("probe[0].kind = wave; probe[0].x = [0.1]"), IsEmpty());
+    EXPECT_THAT(warned("probe[0].kind = wave; probe[0].x = [0.1]; solid[0].z = [0, 0, 0.3, 0.3]"),
+                Not(IsEmpty()));
+}
+
 TEST(Warnings, EachRowHasACase) {
     const std::string noisy = "numerics.density_diffusion = none; ";
     const std::vector<Case> cases = {
