@@ -16,7 +16,7 @@ const std::map<std::string_view, std::vector<std::string_view>>& keys_of_chapter
         {chapters::course,
          {"level_lines", "level_history", "level_map", "front_history", "mode_history", "velocity_lines",
           "energy_history", "volume_history"}},
-        {chapters::along, {"long_profile", "velocity_along", "froude_along"}},
+        {chapters::along, {"long_profile", "velocity_along", "froude_along", "end_discharges", "end_depths"}},
         {chapters::statistics,
          {"velocity_history", "mean_level_history", "velocity_settling", "velocity_autocorrelation",
           "point_velocity_settling", "point_velocity_autocorrelation", "elevation_settling",

@@ -146,6 +146,15 @@ class BedMaker {
                         name, length_text(low), length_text(high), length_text(extent_[axis]), cure));
     }
 
+    /// Refuse data of which the channel lies between two points where another unit puts many over it.
+    void check_step(std::size_t axis, double step, std::size_t points) const {
+        constexpr std::size_t few = 2;  // a plane bed may be drawn by its ends
+        const std::string cure = other_unit("unit", step, solid_.unit, 0.0, 0.5 * extent_[axis]);
+        if (step <= extent_[axis] || points <= few || cure.empty()) return;
+        refuse_bed(fmt::format("its points stand {} apart, and the channel is {} {}.{}", length_text(step),
+                               length_text(extent_[axis]), axis == 0 ? "long" : "wide", cure));
+    }
+
     void check_holes(const FilledHoles& filled, std::size_t points, bool in_plane) {
         if (filled.heights == 0) return;
         const std::string place = in_plane
@@ -223,6 +232,8 @@ class BedMaker {
         placed(grid.x, grid.step_x, 0);
         placed(grid.y, grid.step_y, 1);
         for (double& z : grid.z) z = height(z);
+        check_step(0, grid.step_x, grid.columns);
+        check_step(1, grid.step_y, grid.rows);
         check_cover(0, grid.x - 0.5 * grid.step_x,
                     grid.x + (static_cast<double>(grid.columns) - 0.5) * grid.step_x);
         check_cover(1, grid.y - 0.5 * grid.step_y,
@@ -270,6 +281,7 @@ class BedMaker {
             if (i > 0) gaps.push_back(line.x[i] - line.x[i - 1]);
         }
         if (gaps.empty()) refuse_bed("holds one height: expected two or more");
+        check_step(0, *std::max_element(gaps.begin(), gaps.end()), line.x.size());
         check_cover(0, line.x.front() - 0.5 * gaps.front(), line.x.back() + 0.5 * gaps.back());
         for (std::size_t i = 0; i < line.x.size(); ++i) {
             const bool before = i + 1 < line.x.size() && line.x[i + 1] <= 0.0;

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <algorithm>
+#include <array>
 #include <optional>
 #include <vector>
 
@@ -10,6 +11,7 @@
 #include "boundary/wall_motion.hpp"
 #include "case/solid_motion.hpp"
 #include "case/solid_volume.hpp"
+#include "components/solid_corners.hpp"
 #include "components/solid_feet.hpp"
 #include "engine/component.hpp"
 #include "engine/pass_order.hpp"
@@ -17,7 +19,8 @@
 namespace riffle::inline components {
 
 /// The forces of the water on each solid and their moments, in steps that keep the fields: the force pass
-/// again, with the walls of one solid and no fluid. Of free bodies in all steps: they move by them.
+/// again, with the walls of one solid and no fluid, and with those behind its foot on a plane wall. Of free
+/// bodies in all steps: they move by them.
 template <int D, class Real>
 class SolidForces final : public Component<D, Real> {
   public:
@@ -26,7 +29,9 @@ class SolidForces final : public Component<D, Real> {
 
     explicit SolidForces(const Flow& flow)
         : surfaces_(flow.c),
+          corners_(flow.c),
           lists_(flow.c.solids.size()),
+          parts_(flow.c.solids.size()),
           feet_(flow.c.solids.size()),
           listed_(flow.c.solids.size(), -1) {
         const Case& c = flow.c;
@@ -61,16 +66,13 @@ class SolidForces final : public Component<D, Real> {
             sum = {};
             if (!wanted(flow, solid)) continue;
             work.fluid_fluid = &no_list_;
-            work.fluid_wall = &lists_[solid];
-            // Runs of clusters that have pairs with it.
-            for (std::size_t first = begin; first < end; ++first) {
-                std::size_t last = first;
-                while (last < end && feet_[solid].has(last)) ++last;
-                if (last > first) {
-                    flow.loops.force(flow.data, first, last, work);
-                    add_clusters(flow, work.force, solid, first, last, sum);
-                    first = last;
-                }
+            add_pairs(flow, work, lists_[solid], solid, begin, end, [&](std::size_t first, std::size_t last) {
+                add_clusters(flow, work.force, solid, first, last, {true, true, true}, true, sum);
+            });
+            for (const auto& part : parts_[solid]) {
+                add_pairs(flow, work, part.list, solid, begin, end, [&](std::size_t first, std::size_t last) {
+                    add_clusters(flow, work.force, solid, first, last, part.along, false, sum);
+                });
             }
         }
     }
@@ -98,6 +100,7 @@ class SolidForces final : public Component<D, Real> {
         std::size_t sum = block_forces_.capacity() * sizeof(ForceOnSolid);
         for (std::size_t solid = 0; solid < lists_.size(); ++solid) {
             sum += lists_[solid].bytes() + feet_[solid].bytes();
+            for (const auto& part : parts_[solid]) sum += part.list.bytes();
         }
         return sum;
     }
@@ -105,6 +108,23 @@ class SolidForces final : public Component<D, Real> {
   private:
     [[nodiscard]] bool wanted(const Flow& flow, std::size_t solid) const {
         return flow.keep_fields || free_[solid];
+    }
+
+    /// The force pass with one list of wall particles, then f(first, last) for runs of clusters that have
+    /// pairs with the solid.
+    template <class F>
+    void add_pairs(Flow& flow, BlockWork<D, Real>& work, const NeighbourList& list, std::size_t solid,
+                   std::size_t begin, std::size_t end, const F& f) {
+        work.fluid_wall = &list;
+        for (std::size_t first = begin; first < end; ++first) {
+            std::size_t last = first;
+            while (last < end && feet_[solid].has(last)) ++last;
+            if (last > first) {
+                flow.loops.force(flow.data, first, last, work);
+                f(first, last);
+                first = last;
+            }
+        }
     }
 
     /// What the reference pressure, which no pair carries, presses a solid with.
@@ -135,6 +155,10 @@ class SolidForces final : public Component<D, Real> {
         lists_[solid] = flow.fluid_wall;
         keep_solid(flow, first_solid + static_cast<std::int32_t>(solid), lists_[solid]);
         feet_[solid].find(flow, surfaces_, solid, flow.bodies_listed()[first_solid + solid], lists_[solid]);
+        if (flow.c.solids[solid].rests()) {
+            parts_[solid] = corners_.find(flow, surfaces_, solid,
+                                          [&](std::size_t cluster) { return feet_[solid].has(cluster); });
+        }
     }
 
     /// Morris' friction of a pair goes by the difference of the velocities, and so feels the turning of water
@@ -157,9 +181,10 @@ class SolidForces final : public Component<D, Real> {
         for (std::size_t axis = 0; axis < 3; ++axis) force.friction_moment[axis] += factor * spin[axis];
     }
 
-    /// The sums of clusters that have pairs with a solid.
+    /// The sums of clusters that have pairs with a solid: their pressure along some axes, and their friction.
     void add_clusters(const Flow& flow, const ForceResult<D, Real>& force, std::size_t solid,
-                      std::size_t begin, std::size_t end, ForceOnSolid& sum) const {
+                      std::size_t begin, std::size_t end, const std::array<bool, 3>& along, bool rubs,
+                      ForceOnSolid& sum) const {
         static const BodyState rest;
         const BodyState& body = flow.bodies.empty() ? rest : flow.bodies[first_solid + solid];
         const auto add = [](std::array<double, 3>& part, const Vec<3>& v) {
@@ -174,13 +199,16 @@ class SolidForces final : public Component<D, Real> {
                 pressure[k] = factor * static_cast<double>(force.tensor[k][lane]);
                 friction[k] = factor * static_cast<double>(force.viscous[k][lane]);
             }
-            add(sum.pressure, in_space_of<D>(pressure));
-            add(sum.friction, in_space_of<D>(friction));
+            Vec<3> push = in_space_of<D>(pressure);
+            for (std::size_t axis = 0; axis < 3; ++axis) push[axis] *= along[axis] ? 1.0 : 0.0;
+            add(sum.pressure, push);
             const std::size_t cluster = begin + lane / cluster_size;
             const Vec<3> place = body.place_at_start(in_space_of<D>(vector_of(flow.particles.position, i)));
             const Vec<3> arm =
                 body.turned(feet_[solid].arm(surfaces_, cluster, lane % cluster_size, place, points_[solid]));
-            add(sum.pressure_moment, cross(arm, in_space_of<D>(pressure)));
+            add(sum.pressure_moment, cross(arm, push));
+            if (!rubs) return;
+            add(sum.friction, in_space_of<D>(friction));
             add(sum.friction_moment, cross(arm, in_space_of<D>(friction)));
         });
     }
@@ -208,13 +236,16 @@ class SolidForces final : public Component<D, Real> {
     }
 
     SolidSurfaces surfaces_;
+    SolidCorners<D, Real> corners_;
     std::vector<Vec<3>> points_;   ///< of each solid, the one that its moments are about, at t = 0
     std::vector<double> volumes_;  ///< of those that turn and hold the water, m3; else 0
     std::vector<bool> free_;
     /// Of free bodies alone: beside a wall that turns the pressure of the pairs takes a part of the friction.
     std::vector<std::optional<RoundBody>> round_;
     std::vector<NeighbourList> lists_;  ///< of FlowOf::fluid_wall, the pairs with each solid
-    NeighbourList no_list_;             ///< without any neighbour, for as many clusters
+    /// Of solids at rest, the pairs with walls behind their feet.
+    std::vector<std::vector<typename SolidCorners<D, Real>::Part>> parts_;
+    NeighbourList no_list_;  ///< without any neighbour, for as many clusters
     std::vector<SolidFeet<D, Real>> feet_;
     std::vector<std::int64_t> listed_;           ///< SimulationClock::list_builds of each list
     std::vector<ForceOnSolid> block_forces_;     ///< by block and solid

@@ -52,6 +52,51 @@ TEST(SolidForce, OfStillWaterIsTheWeightAboveEach) {
     }
 }
 
+// The particles of bed and side walls behind the foot of a gate push along them for it: without that share of
+// the corners a gate under twenty rows lacks 2.7 % of its force.
+TEST(SolidForce, OnAGateThatStandsOnTheBedIsThatOfItsPressure) {
+    Case c = tank_with_blocks();
+    c.solids = {test::rectangle("gate", 0.02, 0.05, 0.0, 0.08)};
+    const double weight = c.fluid.density * c.fluid.gravity;
+    const double left = started(c)->solid_forces()[0].pressure[0];
+    EXPECT_NEAR(left, 0.0, 2e-3 * 0.5 * weight * 0.05 * 0.05);  // water on both sides
+    c.start.water_x = {0.05, 0.12, 0.12, 0.05};
+    c.start.water_z = {0.0, 0.0, 0.05, 0.05};
+    const ForceOnSolid force = started(c)->solid_forces()[0];
+    const double pressure = 0.5 * weight * 0.05 * 0.05;
+    EXPECT_NEAR(force.pressure[0], -pressure, 5e-3 * pressure);
+    EXPECT_NEAR(force.pressure[2], 0.0, 5e-3 * pressure);
+}
+
+TEST(SolidForce, OnAGateFromSideToSideIsThatOfItsPressure) {
+    Case c = test::still_water(3);
+    c.channel.dimensions = 3;
+    c.channel.depth = 0.05;
+    c.channel.length = 0.12;
+    c.channel.width = 0.05;
+    c.channel.ends = Ends::walls;
+    c.channel.sides = Sides::walls;
+    c.side_walls.drag_form = SideDragForm::none;
+    c.bed.kind = BedKind::slip;
+    c.numerics.spacing = 0.0025;
+    c.start.water_x = {0.05, 0.12, 0.12, 0.05};
+    c.start.water_z = {0.0, 0.0, 0.05, 0.05};
+    Solid gate;
+    gate.name = "gate";
+    gate.shape = SolidShape::box;
+    gate.centre = {0.035, 0.025, 0.04};
+    gate.size = {0.03, 0.05, 0.08};
+    gate.surface = SolidSurface::slip;
+    c.solids = {gate};
+    const auto simulation = test::simulation_of<3>(c);
+    simulation->step();
+    const ForceOnSolid& force = simulation->solid_forces()[0];
+    const double pressure = 0.5 * c.fluid.density * c.fluid.gravity * 0.05 * 0.05 * 0.05;
+    EXPECT_NEAR(force.pressure[0], -pressure, 0.01 * pressure);
+    EXPECT_NEAR(force.pressure[1], 0.0, 0.01 * pressure);
+    EXPECT_NEAR(force.pressure[2], 0.0, 0.01 * pressure);
+}
+
 TEST(SolidForce, MomentsOfStillWaterAreThoseOfItsPressure) {
     // The first block leans on the end wall: water on its top and on its right face alone.
     Case c = tank_with_blocks();
