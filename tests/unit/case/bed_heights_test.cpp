@@ -148,7 +148,8 @@ TEST(BedHeights, ABedThatDoesNotFitIsRefusedWithACure) {
     EXPECT_THAT(fault_of(c), HasSubstr("shorter than 60 mm"));
     c = over(whole);
     c.solids[0].unit = 1.0;
-    EXPECT_THAT(fault_of(c), HasSubstr(""));
+    EXPECT_THAT(fault_of(c), HasSubstr("its points stand 2 m apart, and the channel is"));
+    EXPECT_THAT(fault_of(c), HasSubstr("did you mean unit = \"1 mm\"?"));
     c.solids[0].unit = 1e-5;
     EXPECT_THAT(fault_of(c), HasSubstr("did you mean unit = \"1 mm\"?"));
     c = over(replaced(whole, "xllcorner 0", "xllcorner 1000"));
