@@ -245,9 +245,9 @@ CheckList numerics_warnings() {
              return c.numerics.wall == WallKind::dynamic && c.numerics.preset == Preset::riffle;
          }},
         {{"bed.kind", "numerics.wall"},
-         "`kind = \"slip\"` with `wall = \"dynamic\"`",
+         R"(`kind = "slip"` with `wall = "dynamic"`)",
          "dynamic particles rub on the water as resting water would: the bed is a no-slip one all the same",
-         "a slip bed goes with \"dummy\" walls; or set kind = \"no-slip\"",
+         R"(a slip bed goes with "dummy" walls; or set kind = "no-slip")",
          [](const Case& c) { return c.numerics.wall == WallKind::dynamic && c.bed.kind == BedKind::slip; }},
     }};
 }

@@ -114,7 +114,8 @@ TEST(BedHeights, PointsAreAGridInAnyOrder) {
     for (int i = 0; i < 150; ++i) {
         const int k = 7 * i % 150;
         const double x = 2.0 + 4.0 * (k % 15);
-        const double y = 2.0 + 4.0 * (k / 15);
+        const int row = k / 15;
+        const double y = 2.0 + 4.0 * row;
         points += fmt::format("{:.6f}, {}, {}\n", plane(x, y), y, x);
     }
     const HeightGrid a = parse_height_grid(grid, "a.asc");
