@@ -146,11 +146,13 @@ class BedMaker {
                         name, length_text(low), length_text(high), length_text(extent_[axis]), cure));
     }
 
-    /// Refuse data of which the channel lies between two points where another unit puts many over it.
+    /// Refuse data of which the whole channel lies between two points, far apart, where another unit puts
+    /// many over it.
     void check_step(std::size_t axis, double step, std::size_t points) const {
         constexpr std::size_t few = 2;  // a plane bed may be drawn by its ends
+        constexpr double far_apart = 10.0;
         const std::string cure = other_unit("unit", step, solid_.unit, 0.0, 0.5 * extent_[axis]);
-        if (step <= extent_[axis] || points <= few || cure.empty()) return;
+        if (step <= far_apart * extent_[axis] || points <= few || cure.empty()) return;
         refuse_bed(fmt::format("its points stand {} apart, and the channel is {} {}.{}", length_text(step),
                                length_text(extent_[axis]), axis == 0 ? "long" : "wide", cure));
     }
@@ -281,7 +283,9 @@ class BedMaker {
             if (i > 0) gaps.push_back(line.x[i] - line.x[i - 1]);
         }
         if (gaps.empty()) refuse_bed("holds one height: expected two or more");
-        check_step(0, *std::max_element(gaps.begin(), gaps.end()), line.x.size());
+        for (std::size_t i = 0; i < gaps.size(); ++i) {
+            if (line.x[i] <= 0.0 && line.x[i + 1] >= extent_[0]) check_step(0, gaps[i], line.x.size());
+        }
         check_cover(0, line.x.front() - 0.5 * gaps.front(), line.x.back() + 0.5 * gaps.back());
         for (std::size_t i = 0; i < line.x.size(); ++i) {
             const bool before = i + 1 < line.x.size() && line.x[i + 1] <= 0.0;

@@ -80,9 +80,10 @@ fs::path common_folder(const std::vector<fs::path>& results) {
 void refuse_other_files(const fs::path& html, const fs::path& json) {
     refuse_to_replace_another(html, begin_of_page, "page of Riffle");
     refuse_to_replace_another(json, begin_of_json, "summary (JSON)");
-    // A page is HTML whatever its name says. A device has no ending.
-    const std::string ending = html.extension().string();
-    if (!ending.empty() && ending != ".html" && ending != ".htm") {
+    // A page is HTML whatever its name says.
+    static const std::set<std::string> others{".pdf", ".png", ".svg", ".json",
+                                              ".csv", ".txt", ".md",  ".docx"};
+    if (others.contains(html.extension().string())) {
         throw InputError(fmt::format(
             "--output {}: expected the name of a page, NAME.html; to have it as PDF, open the page in "
             "a browser and print it to a file",

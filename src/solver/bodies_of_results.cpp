@@ -8,6 +8,8 @@
 #include <optional>
 
 #include "base/error.hpp"
+#include "base/notice.hpp"
+#include "boundary/round_body.hpp"
 #include "boundary/wall_motion.hpp"
 #include "case/outline_check.hpp"
 #include "record/particle_fields.hpp"
@@ -20,11 +22,11 @@ namespace {
 /// A solid that moved by less of a spacing stands where it stood.
 constexpr double moved_spacings = 0.05;
 
-/// Whether two cases draw a solid alike. Files are compared by their name: each case knows its own folder.
+/// Whether two cases draw a solid alike, whatever its name. Files are compared by their name: each case knows
+/// its own folder.
 bool is_drawn_alike(const Solid& a, const Solid& b) {
     const auto shape = [](const Solid& s) {
         Solid drawn;
-        drawn.name = s.name;
         drawn.shape = s.shape;
         drawn.x = s.x;
         drawn.z = s.z;
@@ -47,9 +49,19 @@ bool weighs_the_same(const Solid& a, const Solid& b) {
            a.inertia == b.inertia;
 }
 
-/// Corners of a solid at t = 0, in three dimensions of the box around it.
+/// Places of a solid at t = 0 that tell whether it stands elsewhere: of a round one those on its axis, else
+/// its corners, in three dimensions of the box around it.
 std::vector<Point3> corners_of(const Case& c, const Solid& solid) {
     std::vector<Point3> corners;
+    if (const auto round = round_body(solid)) {
+        const double half = 0.5 * solid.length;
+        for (const double along : {-half, half}) {
+            Point3 end = round->centre;
+            for (std::size_t k = 0; k < 3; ++k) end[k] += along * round->axis[k];
+            corners.push_back(end);
+        }
+        return corners;
+    }
     if (c.channel.dimensions == 2) {
         for (std::size_t i = 0; i < solid.x.size(); ++i) corners.push_back({solid.x[i], 0.0, solid.z[i]});
         return corners;
@@ -134,7 +146,14 @@ std::vector<FreeBodyState> bodies_from_results(const Case& c, const Case& other,
     }
     // One that is not here any more may have had a file that is not here either.
     for (std::size_t k = 0; k < other.solids.size(); ++k) {
-        if (!here[k]) moved.solids[k].motion = SolidMotion::fixed;
+        if (here[k]) continue;
+        if (!other.solids[k].rests()) {
+            notice(fmt::format(
+                "warning: the solid \"{}\" of {} moved there, and the case draws none like it: the water has a hole "
+                "where it stood at the end",
+                other.solids[k].name, file_name));
+        }
+        moved.solids[k].motion = SolidMotion::fixed;
     }
     std::vector<FreeBodyState> kept;
     for (std::size_t k = 0; k < other.solids.size(); ++k) {

@@ -284,9 +284,16 @@ class Packer {
             }
             mobile.clearance = now;
         }
+        const auto wrapped = [&](Vec<D> x) {
+            for (std::size_t k = 0; k < axes; ++k) {
+                const double extent = domain_.extent(static_cast<int>(k));
+                if (domain_.periodic[k]) x[k] -= extent * std::floor(x[k] / extent);
+            }
+            return x;
+        };
         // At a surface, and at the steep front of a dam of water, the motion along it is left.
         for (const std::size_t k : {axes - 1, std::size_t{0}}) {
-            if (keeps_its_side(mobile.place, to)) break;
+            if (keeps_its_side(mobile.place, wrapped(to))) break;
             to[k] -= mobile.velocity[k];
             mobile.velocity[k] = 0.0;
         }
@@ -295,11 +302,8 @@ class Packer {
             mobile.velocity = {};
             return;
         }
-        for (std::size_t k = 0; k < axes; ++k) {
-            const double extent = domain_.extent(static_cast<int>(k));
-            places_[k][mobile.place] =
-                domain_.periodic[k] ? to[k] - extent * std::floor(to[k] / extent) : to[k];
-        }
+        to = wrapped(to);
+        for (std::size_t k = 0; k < axes; ++k) places_[k][mobile.place] = to[k];
     }
 
     const Case& c_;
