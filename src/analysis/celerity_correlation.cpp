@@ -12,6 +12,7 @@
 #include "base/error.hpp"
 #include "base/not_a_number.hpp"
 #include "base/parallel.hpp"
+#include "statistics/cross_correlation.hpp"
 #include "statistics/fourier.hpp"
 #include "statistics/jackknife.hpp"
 #include "statistics/peak.hpp"
@@ -112,9 +113,6 @@ struct Extreme {
     double correlation = 0.0;
 };
 
-/// Of extremes that are as good as equal, in a wave that repeats, none is the largest by right.
-constexpr double as_good = 0.95;
-
 /// The largest |R| that is a local extreme within `reach` of the expected lag, by the parabola through it and
 /// the lags `step` away to each side. Of those as good, a maximum before a minimum, and the nearest: the
 /// correlation of a regular wave has both in each period.
@@ -134,7 +132,7 @@ Extreme extreme_near(std::span<const double> r, double expected, double reach, s
     const auto rank = [&](std::size_t k) {
         return std::pair(r[k] < 0.0, std::abs(static_cast<double>(k) - middle - expected));
     };
-    std::erase_if(extremes, [&](std::size_t k) { return std::abs(r[k]) < as_good * largest; });
+    std::erase_if(extremes, [&](std::size_t k) { return std::abs(r[k]) < as_good_correlation * largest; });
     if (extremes.empty()) return {};
     const std::size_t k = *std::min_element(extremes.begin(), extremes.end(),
                                             [&](std::size_t i, std::size_t j) { return rank(i) < rank(j); });

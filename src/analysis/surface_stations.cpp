@@ -34,7 +34,6 @@ void remove_mean(std::vector<double>& values) {
 /// more.
 const CorrelationExtreme* arrival(const std::vector<CorrelationExtreme>& extremes, double distance,
                                   double velocity) {
-    constexpr double as_good = 0.95;
     const auto arrives = [&](const CorrelationExtreme& extreme) {
         if (!extreme.significant || !extreme.maximum || extreme.lag <= 0.0) return false;
         const double celerity = distance / extreme.lag;
@@ -45,7 +44,7 @@ const CorrelationExtreme* arrival(const std::vector<CorrelationExtreme>& extreme
         if (arrives(extreme)) highest = std::max(highest, extreme.correlation);
     }
     const auto first = std::find_if(extremes.begin(), extremes.end(), [&](const CorrelationExtreme& extreme) {
-        return arrives(extreme) && extreme.correlation >= as_good * highest;
+        return arrives(extreme) && extreme.correlation >= as_good_correlation * highest;
     });
     return first == extremes.end() ? nullptr : &*first;
 }

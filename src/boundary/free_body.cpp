@@ -219,6 +219,16 @@ void FreeBody::predict(FreeBodyState& state, double kick, double motion) const {
     state.orientation = turned_on(state.orientation, state.angular_velocity, motion);
 }
 
+std::vector<FreeBodyState> free_body_states(std::span<const double> numbers, std::size_t count) {
+    std::vector<FreeBodyState> states;
+    for (std::size_t n = 0; n < count; ++n) {
+        std::array<double, FreeBodyState::count> own{};
+        std::copy_n(numbers.begin() + static_cast<std::ptrdiff_t>(n * own.size()), own.size(), own.begin());
+        states.push_back(FreeBodyState::from(own));
+    }
+    return states;
+}
+
 std::vector<FreeBody> free_bodies(const Case& c) {
     std::vector<FreeBody> bodies;
     for (std::size_t k = 0; k < c.solids.size(); ++k) {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <array>
+#include <span>
 #include <vector>
 
 #include "case/body_state.hpp"
@@ -33,6 +34,9 @@ struct FreeBodyState {
     [[nodiscard]] std::array<double, count> numbers() const;
     [[nodiscard]] static FreeBodyState from(const std::array<double, count>& numbers);
 };
+
+/// So many states, one after the other, from as many times FreeBodyState::count numbers.
+[[nodiscard]] std::vector<FreeBodyState> free_body_states(std::span<const double> numbers, std::size_t count);
 
 /// A force and its moment about the centre of mass of a body.
 struct BodyLoad {

@@ -42,21 +42,8 @@ struct Swing {
     double high = 0.0;
 };
 
-/// Corners of a solid at t = 0.
-std::vector<std::array<double, 3>> corners_of(const Case& c, const Solid& solid) {
-    std::vector<std::array<double, 3>> corners;
-    if (const SolidMesh* const mesh = in_space(c) ? mesh_of(c, solid) : nullptr) {
-        for (const Triangle& t : mesh->tree().triangles()) corners.insert(corners.end(), t.begin(), t.end());
-        return corners;
-    }
-    for (std::size_t i = 0; i < solid.x.size(); ++i) {
-        corners.push_back({solid.x[i], 0.0, solid.z[i]});
-    }
-    return corners;
-}
-
-/// The same of one that turns or follows a table, by its corners at many times: steps of a degree, up to two
-/// turns of one that goes on for ever.
+/// What a solid that turns or follows a table takes up along an axis, by its corners at many times: steps of
+/// a degree, up to two turns of one that goes on for ever.
 Swing along_its_way(const Case& c, const Solid& solid, std::size_t axis) {
     const std::vector<std::array<double, 3>> corners = corners_of(c, solid);
     const SolidTurning turn = solid_turning(c, solid);

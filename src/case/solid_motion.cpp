@@ -4,6 +4,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "case/solid_mesh.hpp"
 #include "case/solid_volume.hpp"
 
 namespace riffle::inline case_file {
@@ -163,6 +164,18 @@ std::array<double, 3> rotation_axis(const Solid& solid) {
     const auto& axis = solid.rotation_axis;
     const double length = std::hypot(axis[0], axis[1], axis[2]);
     return {axis[0] / length, axis[1] / length, axis[2] / length};
+}
+
+std::vector<std::array<double, 3>> corners_of(const Case& c, const Solid& solid) {
+    std::vector<std::array<double, 3>> corners;
+    if (const SolidMesh* const mesh = c.channel.dimensions == 3 ? mesh_of(c, solid) : nullptr) {
+        for (const Triangle& t : mesh->tree().triangles()) corners.insert(corners.end(), t.begin(), t.end());
+        return corners;
+    }
+    for (std::size_t i = 0; i < solid.x.size(); ++i) {
+        corners.push_back({solid.x[i], 0.0, solid.z[i]});
+    }
+    return corners;
 }
 
 std::array<double, 3> rotation_point(const Case& c, const Solid& solid) {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <array>
+#include <vector>
 
 #include "case/body_state.hpp"
 #include "case/case.hpp"
@@ -27,6 +28,10 @@ struct SolidMotionState {
 
 /// Direction of length 1 of the axis that a solid turns about: y unless the case says otherwise.
 [[nodiscard]] std::array<double, 3> rotation_axis(const Solid& solid);
+
+/// The corners of a solid at t = 0, m: of its outline, in three dimensions of its triangles, each as often as
+/// it has them.
+[[nodiscard]] std::vector<std::array<double, 3>> corners_of(const Case& c, const Solid& solid);
 
 /// The point that a solid turns about, where it is at t = 0, m: of a free body its centre of mass.
 [[nodiscard]] std::array<double, 3> rotation_point(const Case& c, const Solid& solid);

@@ -112,7 +112,7 @@ Findings spheres_in_spheres(const Case& c, const Solid& solid) {
 /// gauge over what waves may wash over: all but what is as high as the end walls.
 std::optional<std::size_t> solid_over(const Case& c, const SolidPlaces& solids, ProbeKind kind, Point3 p) {
     const double half = 0.5 * c.numerics.spacing;
-    const double walls = c.channel.wall_height.value_or(1.5 * c.total_depth());
+    const double walls = c.channel.wall_height.value_or(wave_height(c));
     if (kind == ProbeKind::wave) p[2] = std::max(walls, c.total_depth()) - half;
     const auto solid = solids.resting_at(p);
     if (kind != ProbeKind::pressure || !solid) return solid;

@@ -37,7 +37,12 @@ class SolidCorners {
         // Axes across the walls that a particle stands behind, as bits, under the solid; 0: none.
         std::vector<std::uint8_t> across(flow.wall_clusters.slots(), unknown);
         std::vector<std::uint8_t> kinds;
-        for_masks(flow, all, with_solid, [&](std::size_t, std::size_t slot) {
+        const auto for_walls = [&](const auto& f) {
+            for (std::size_t cluster = 0; cluster < all.size(); ++cluster) {
+                if (with_solid(cluster)) for_listed_slots(all, cluster, f);
+            }
+        };
+        for_walls([&](std::size_t, std::size_t slot) {
             if (across[slot] == unknown) across[slot] = axes_across(flow, surfaces, solid, slot);
             const std::uint8_t kind = across[slot];
             const bool known = std::find(kinds.begin(), kinds.end(), kind) != kinds.end();
@@ -47,7 +52,7 @@ class SolidCorners {
         for (const std::uint8_t kind : kinds) {
             Part part{all, {}};
             std::fill(part.list.masks.begin(), part.list.masks.end(), std::uint8_t{0});
-            for_masks(flow, all, with_solid, [&](std::size_t mask, std::size_t slot) {
+            for_walls([&](std::size_t mask, std::size_t slot) {
                 if (across[slot] != kind) return;
                 part.list.masks[mask] = static_cast<std::uint8_t>(
                     part.list.masks[mask] | (all.masks[mask] & 1U << slot % cluster_size));
@@ -61,29 +66,9 @@ class SolidCorners {
   private:
     static constexpr std::uint8_t unknown = 255;
 
-    /// f(mask, slot of the wall) for the listed lanes of the clusters of the water that have pairs with the
-    /// solid.
-    template <class WithSolid, class F>
-    static void for_masks(const Flow& flow, const NeighbourList& list, const WithSolid& with_solid,
-                          const F& f) {
-        for (std::size_t cluster = 0; cluster < list.size(); ++cluster) {
-            if (!with_solid(cluster)) continue;
-            std::size_t mask = list.mask_begin[cluster];
-            for (std::size_t run = list.run_begin[cluster]; run < list.run_begin[cluster + 1]; ++run) {
-                const std::size_t first = list.runs[run].first;
-                const std::size_t count = list.runs[run].count;
-                for (std::size_t wall = first; wall < first + count; ++wall, ++mask) {
-                    for (std::size_t lane = 0; lane < cluster_size; ++lane) {
-                        const std::size_t slot = wall * cluster_size + lane;
-                        if (flow.wall_clusters.particle_of(slot) >= 0) f(mask, slot);
-                    }
-                }
-            }
-        }
-    }
-
     [[nodiscard]] std::uint8_t axes_across(const Flow& flow, const SolidSurfaces& surfaces, std::size_t solid,
                                            std::size_t slot) const {
+        if (flow.wall_clusters.particle_of(slot) < 0) return 0;
         const auto particle = static_cast<std::size_t>(flow.wall_clusters.particle_of(slot));
         if (!flow.walls.body.empty() && flow.walls.body[particle] != resting_body) return 0;
         Vec<D> place = vector_of(flow.walls.position, particle);

@@ -87,12 +87,11 @@ class SolidForces final : public Component<D, Real> {
         for (std::size_t solid = 0; solid < reference_loads_.size(); ++solid) {
             flow.solid_forces[solid] += reference_loads_[solid];
         }
-        static const BodyState rest;
         for (std::size_t solid = 0; solid < lists_.size(); ++solid) {
             if (!wanted(flow, solid)) continue;
-            if (volumes_[solid] > 0.0) add_spin(flow, solid, flow.solid_forces[solid]);
-            const BodyState& body = flow.bodies.empty() ? rest : flow.bodies[first_solid + solid];
-            if (round_[solid]) round_[solid]->clear_moment(flow.solid_forces[solid], points_[solid], body);
+            ForceOnSolid& force = flow.solid_forces[solid];
+            if (volumes_[solid] > 0.0) add_spin(flow, solid, force);
+            if (round_[solid]) round_[solid]->clear_moment(force, points_[solid], body_of(flow, solid));
         }
     }
 
@@ -108,6 +107,12 @@ class SolidForces final : public Component<D, Real> {
   private:
     [[nodiscard]] bool wanted(const Flow& flow, std::size_t solid) const {
         return flow.keep_fields || free_[solid];
+    }
+
+    /// Where a solid is in the evaluation in progress.
+    static const BodyState& body_of(const Flow& flow, std::size_t solid) {
+        static const BodyState rest;
+        return flow.bodies.empty() ? rest : flow.bodies[first_solid + solid];
     }
 
     /// The force pass with one list of wall particles, then f(first, last) for runs of clusters that have
@@ -185,8 +190,7 @@ class SolidForces final : public Component<D, Real> {
     void add_clusters(const Flow& flow, const ForceResult<D, Real>& force, std::size_t solid,
                       std::size_t begin, std::size_t end, const std::array<bool, 3>& along, bool rubs,
                       ForceOnSolid& sum) const {
-        static const BodyState rest;
-        const BodyState& body = flow.bodies.empty() ? rest : flow.bodies[first_solid + solid];
+        const BodyState& body = body_of(flow, solid);
         const auto add = [](std::array<double, 3>& part, const Vec<3>& v) {
             for (std::size_t axis = 0; axis < 3; ++axis) part[axis] += v[axis];
         };
@@ -220,18 +224,10 @@ class SolidForces final : public Component<D, Real> {
             return particle >= 0 && flow.walls.body[static_cast<std::size_t>(particle)] == body;
         };
         for (std::size_t cluster = 0; cluster < list.size(); ++cluster) {
-            std::size_t mask = list.mask_begin[cluster];
-            for (std::size_t run = list.run_begin[cluster]; run < list.run_begin[cluster + 1]; ++run) {
-                const std::size_t first = list.runs[run].first;
-                const std::size_t count = list.runs[run].count;
-                for (std::size_t wall = first; wall < first + count; ++wall, ++mask) {
-                    for (std::size_t lane = 0; lane < cluster_size; ++lane) {
-                        if (!of_solid(wall * cluster_size + lane)) {
-                            list.masks[mask] = static_cast<std::uint8_t>(list.masks[mask] & ~(1U << lane));
-                        }
-                    }
-                }
-            }
+            for_listed_slots(list, cluster, [&](std::size_t mask, std::size_t slot) {
+                if (of_solid(slot)) return;
+                list.masks[mask] = static_cast<std::uint8_t>(list.masks[mask] & ~(1U << slot % cluster_size));
+            });
         }
     }
 

@@ -11,7 +11,7 @@
 #include "base/notice.hpp"
 #include "boundary/round_body.hpp"
 #include "boundary/wall_motion.hpp"
-#include "case/outline_check.hpp"
+#include "case/solid_motion.hpp"
 #include "record/particle_fields.hpp"
 #include "solver/recycled_start.hpp"
 
@@ -50,32 +50,19 @@ bool weighs_the_same(const Solid& a, const Solid& b) {
 }
 
 /// Places of a solid at t = 0 that tell whether it stands elsewhere: of a round one those on its axis, else
-/// its corners, in three dimensions of the box around it.
-std::vector<Point3> corners_of(const Case& c, const Solid& solid) {
-    std::vector<Point3> corners;
+/// its corners.
+std::vector<Point3> telling_places(const Case& c, const Solid& solid) {
     if (const auto round = round_body(solid)) {
+        std::vector<Point3> ends;
         const double half = 0.5 * solid.length;
         for (const double along : {-half, half}) {
             Point3 end = round->centre;
             for (std::size_t k = 0; k < 3; ++k) end[k] += along * round->axis[k];
-            corners.push_back(end);
+            ends.push_back(end);
         }
-        return corners;
+        return ends;
     }
-    if (c.channel.dimensions == 2) {
-        for (std::size_t i = 0; i < solid.x.size(); ++i) corners.push_back({solid.x[i], 0.0, solid.z[i]});
-        return corners;
-    }
-    const auto x = extent_of(c, solid, 0);
-    const auto y = extent_of(c, solid, 1);
-    const auto z = extent_of(c, solid, 2);
-    if (!x || !y || !z) return corners;
-    for (const double at_x : {x->low, x->high}) {
-        for (const double at_y : {y->low, y->high}) {
-            for (const double at_z : {z->low, z->high}) corners.push_back({at_x, at_y, at_z});
-        }
-    }
-    return corners;
+    return corners_of(c, solid);
 }
 
 /// The states of the free bodies at the end of a run, in the order of its case.
@@ -93,13 +80,7 @@ std::vector<FreeBodyState> last_states(const Case& other, const ResultsReader& r
             "one as `riffle run` wrote it",
             file_name, count));
     }
-    std::vector<FreeBodyState> states;
-    for (std::size_t n = 0; n < count; ++n) {
-        std::array<double, FreeBodyState::count> own{};
-        std::copy_n(numbers.begin() + static_cast<std::ptrdiff_t>(n * own.size()), own.size(), own.begin());
-        states.push_back(FreeBodyState::from(own));
-    }
-    return states;
+    return free_body_states(numbers, count);
 }
 
 /// "12 mm along x, 30 mm down, turned by 4 degrees".
@@ -166,9 +147,9 @@ std::vector<FreeBodyState> bodies_from_results(const Case& c, const Case& other,
         const Solid& solid = c.solids[*here[k]];
         const BodyState& body = bodies[static_cast<std::size_t>(first_solid) + k];
         double way = 0.0;
-        for (const Point3& corner : corners_of(c, solid)) {
-            const Point3 to = body.placed(corner);
-            way = std::max(way, std::hypot(to[0] - corner[0], to[1] - corner[1], to[2] - corner[2]));
+        for (const Point3& from : telling_places(c, solid)) {
+            const Point3 to = body.placed(from);
+            way = std::max(way, std::hypot(to[0] - from[0], to[1] - from[1], to[2] - from[2]));
         }
         const bool goes_on = solid.is_free() && other.solids[k].is_free() &&
                              weighs_the_same(solid, other.solids[k]) && !is_recycled(c, other);

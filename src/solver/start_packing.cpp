@@ -143,11 +143,18 @@ class Packer {
         const double full = lattice_kernel_sum<D>(c_);
         for (std::size_t m = 0; m < mobile_.size(); ++m) {
             const std::size_t i = mobile_[m].place;
-            if (!is_water(i)) continue;
-            for (std::size_t k = 0; k < axes; ++k) particles_.position[k][i] = places_[k][i];
-            result.share[i] = full / sums[m].value;
+            if (is_water(i)) result.share[i] = full / sums[m].value;
         }
         return result;
+    }
+
+    /// Move the water to the places that run() has found.
+    void place() {
+        for (const Mobile& mobile : mobile_) {
+            for (std::size_t k = 0; k < axes && is_water(mobile.place); ++k) {
+                particles_.position[k][mobile.place] = places_[k][mobile.place];
+            }
+        }
     }
 
   private:
@@ -328,15 +335,17 @@ class Packer {
 template <int D>
 PackedStart packed(const Case& c, const Scheme& scheme, Particles<D>& particles) {
     if (!c.start.water_x.empty()) {
-        Particles<D> water = particles;
-        Packer<D> packer(c, scheme, false, water);
+        Packer<D> packer(c, scheme, false, particles);
         PackedStart packing = packer.run(packer.stands_through() ? iterations_against_air : most_iterations);
         if (!packer.stands_through() || packing.unevenness_after < even_enough || packing.share.empty()) {
-            particles = std::move(water);
+            packer.place();
             return packing;
         }
     }
-    return Packer<D>(c, scheme, true, particles).run(most_iterations);
+    Packer<D> packer(c, scheme, true, particles);
+    PackedStart packing = packer.run(most_iterations);
+    packer.place();
+    return packing;
 }
 
 }  // namespace

@@ -99,15 +99,11 @@ std::vector<double> free_body_numbers(const SimulationClock& clock) {
 
 /// The other way; as many numbers as free_body_numbers() gives.
 void put_free_body_numbers(const std::vector<double>& numbers, SimulationClock& clock) {
-    auto place = numbers.begin();
-    for (auto* const states : {&clock.free_bodies, &clock.listed_free_bodies}) {
-        for (FreeBodyState& state : *states) {
-            std::array<double, FreeBodyState::count> own{};
-            std::copy_n(place, own.size(), own.begin());
-            place += static_cast<std::ptrdiff_t>(own.size());
-            state = FreeBodyState::from(own);
-        }
-    }
+    const std::size_t bodies = clock.free_bodies.size();
+    const std::size_t length = bodies * FreeBodyState::count;
+    clock.free_bodies = free_body_states(numbers, bodies);
+    clock.listed_free_bodies = free_body_states(std::span(numbers).subspan(length), bodies);
+    auto place = numbers.begin() + static_cast<std::ptrdiff_t>(2 * length);
     for (Point3& spring : clock.contact_springs) {
         std::copy_n(place, 3, spring.begin());
         place += 3;
@@ -245,17 +241,13 @@ void restore_state(const CheckpointReader& checkpoint, SimulationIn<D>& simulati
                        checkpoint.doubles(state.wall_density_deviation.path(), simulation.walls().size()));
 }
 
+namespace {
+
+/// The particles of the last state in the results of another case.
 template <int D>
-Particles<D> particles_from_results(const Case& c, const Scheme& scheme, const ResultsReader& results,
-                                    const std::string& file_name) {
+Particles<D> particles_from_results(const Case& c, const Case& other, const Scheme& scheme,
+                                    const ResultsReader& results, const std::string& file_name) {
     const auto& state = fields::state;
-    if (!results.has(state.position[0].path())) {
-        throw InputError(
-            fmt::format("[start] file = \"{}\" holds no state to start from; give the results file of a run "
-                        "of `riffle run`",
-                        file_name));
-    }
-    const Case other = parse_case(results.read_string(fields::stored_case.text.path()), file_name);
     if (other.channel.dimensions != D) {
         throw InputError(fmt::format(
             "[start] file = \"{}\" was run in {} dimensions, this case has {}: start from a run of the same "
@@ -318,13 +310,21 @@ Particles<D> particles_from_results(const Case& c, const Scheme& scheme, const R
     return p;
 }
 
+}  // namespace
+
 template <int D>
 std::unique_ptr<SimulationIn<D>> simulation_from_results(const Case& c, const ColumnResult* column,
                                                          const Scheme& scheme) {
     const ResultsReader results(c.start.file);
     const std::string file_name = c.start.file.string();
-    Particles<D> particles = particles_from_results<D>(c, scheme, results, file_name);
+    if (!results.has(fields::state.position[0].path())) {
+        throw InputError(
+            fmt::format("[start] file = \"{}\" holds no state to start from; give the results file of a run "
+                        "of `riffle run`",
+                        file_name));
+    }
     const Case other = parse_case(results.read_string(fields::stored_case.text.path()), file_name);
+    Particles<D> particles = particles_from_results<D>(c, other, scheme, results, file_name);
     const std::vector<FreeBodyState> bodies = bodies_from_results(c, other, results, file_name);
     // The walls stand where the bodies are before the water is looked at.
     if (bodies.empty()) return make_simulation<D>(c, column, std::move(particles));
@@ -347,9 +347,5 @@ template void add_clock(Content&, const SimulationIn<2>&);
 template void add_clock(Content&, const SimulationIn<3>&);
 template void restore_state(const CheckpointReader&, SimulationIn<2>&);
 template void restore_state(const CheckpointReader&, SimulationIn<3>&);
-template Particles<2> particles_from_results(const Case&, const Scheme&, const ResultsReader&,
-                                             const std::string&);
-template Particles<3> particles_from_results(const Case&, const Scheme&, const ResultsReader&,
-                                             const std::string&);
 
 }  // namespace riffle::inline solver

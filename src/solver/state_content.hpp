@@ -25,16 +25,12 @@ void add_clock(Content& content, const SimulationIn<D>& simulation);
 template <int D>
 void restore_state(const CheckpointReader& checkpoint, SimulationIn<D>& simulation);
 
-/// Particles of the last state in a results file, for `[start] kind = "results"`: themselves, or, where
-/// spacing, length or width differ, those of the case with their velocity (solver/recycled_start.hpp). Throws
-/// InputError when the file's water does not fit the case (other dimensions, sides, depth or zones, an
-/// extent that is no multiple). Volumes and pressures are kept where the equation of state differs.
-template <int D>
-[[nodiscard]] Particles<D> particles_from_results(const Case& c, const Scheme& scheme,
-                                                  const ResultsReader& results, const std::string& file_name);
-
-/// A simulation that starts from the last state in the results file that the case names, its free bodies too
-/// (solver/bodies_of_results.hpp).
+/// A simulation that starts from the last state in the results file that the case names, `[start] kind =
+/// "results"`: from its particles, or, where spacing, length or width differ, those of the case with their
+/// velocity (solver/recycled_start.hpp), and its free bodies (solver/bodies_of_results.hpp). Throws
+/// InputError when the file's water does not fit the case (other dimensions, sides, depth or zones, an extent
+/// that is no multiple, solids elsewhere). Volumes and pressures are kept where the equation of state
+/// differs.
 template <int D>
 [[nodiscard]] std::unique_ptr<SimulationIn<D>> simulation_from_results(const Case& c,
                                                                        const ColumnResult* column,

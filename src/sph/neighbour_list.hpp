@@ -52,6 +52,19 @@ struct NeighbourList {
     [[nodiscard]] std::size_t bytes() const;
 };
 
+/// f(place in `masks`, slot) for all slots of the j-clusters of a cluster's runs, listed or masked out.
+template <class F>
+void for_listed_slots(const NeighbourList& list, std::size_t cluster, const F& f) {
+    std::size_t mask = list.mask_begin[cluster];
+    for (std::size_t run = list.run_begin[cluster]; run < list.run_begin[cluster + 1]; ++run) {
+        const auto first = static_cast<std::size_t>(list.runs[run].first);
+        const auto count = static_cast<std::size_t>(list.runs[run].count);
+        for (std::size_t other = first; other < first + count; ++other, ++mask) {
+            for (std::size_t lane = 0; lane < cluster_size; ++lane) f(mask, other * cluster_size + lane);
+        }
+    }
+}
+
 namespace detail {
 
 /// Positions of the set bits of each byte, in order.

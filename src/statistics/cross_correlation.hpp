@@ -37,6 +37,10 @@ struct CorrelationExtreme {
     bool significant = false;  ///< |correlation| above the significance at its lag
 };
 
+/// Of extremes within this share of the largest, as a wave that repeats has them, none is the largest by
+/// right.
+inline constexpr double as_good_correlation = 0.95;
+
 /// All local extremes in order of the lag; the first and the last lag are none.
 [[nodiscard]] std::vector<CorrelationExtreme> correlation_extremes(const CrossCorrelation& correlation);
 
