@@ -8,6 +8,8 @@
 
 #include "case/end_buffers.hpp"
 #include "case/end_floor.hpp"
+#include "components/end_exchange.hpp"
+#include "components/end_sound.hpp"
 #include "components/end_watch.hpp"
 #include "ends/end_sections.hpp"
 #include "ends/inflow_streams.hpp"
@@ -37,6 +39,7 @@ class OpenEnds final : public Component<D, Real> {
           travel_(end_travel(flow.c)),
           support_(end_support(flow.c)),
           watch_(length_, std::ceil(2.0 * flow.c.numerics.smoothing_ratio - 1e-9) * lattice_.dx),
+          sound_(flow, lattice_, watch_.half(), support_ + travel_ + 2.0 * lattice_.dx),
           streams_(lattice_.files, lattice_.dx * lattice_.dz, lattice_.dz, -(support_ + travel_)) {
         for (int file = 0; file < lattice_.files; ++file) files_.push_back(lattice_.y(file, 0));
         flow.inputs.acceleration = true;
@@ -88,6 +91,7 @@ class OpenEnds final : public Component<D, Real> {
         end.smooth_into(state.downstream, smoothing);
         sections_.follow_upstream(state.upstream, flow.clock.time, dt);
         sections_.follow_downstream(state.downstream, flow.clock.time, dt);
+        follow_sound(flow, dt);
         leaving_.clear(state);
         for (const std::size_t i : watch_.near(1)) {
             const Particles<D>& p = flow.particles;
@@ -108,8 +112,8 @@ class OpenEnds final : public Component<D, Real> {
             if (falls_ && !entering) return;
             const EndState& section =
                 entering ? flow.clock.open_ends.upstream : flow.clock.open_ends.downstream;
-            flow.particles.density_deviation[i] =
-                flow.scheme.state.deviation(pressure_of(section, over_floor(flow, i, entering)));
+            flow.particles.density_deviation[i] = flow.scheme.state.deviation(
+                pressure_of(section, over_floor(flow, i, entering)) + sound_at(flow, i, entering));
             task.sums.gradient.density_rate[lane] = Real(0);
             task.sums.gradient.diffusion[lane] = Real(0);
             task.sums.gradient.regularity[lane] = Real(1);
@@ -206,6 +210,28 @@ class OpenEnds final : public Component<D, Real> {
         return sum / static_cast<double>(files_.size());
     }
 
+    void follow_sound(Flow& flow, double dt) {
+        if (sections_.in_duct()) return;
+        OpenEndsState& state = flow.clock.open_ends;
+        const auto follow = [&](std::size_t end, SoundBeyondEnd& sound, const EndState& section) {
+            const auto height = [&](std::size_t i) { return over_floor(flow, i, end == 0); };
+            sound_.advance(
+                flow, watch_, end, sound, section,
+                [&](std::size_t i) { return pressure_of(section, height(i)); }, height, dt);
+        };
+        follow(0, state.sound_upstream, state.upstream);
+        if (!falls_) follow(1, state.sound_downstream, state.downstream);
+    }
+
+    /// Pressure over the density of the sound at a particle beyond an end.
+    [[nodiscard]] double sound_at(const Flow& flow, std::size_t i, bool entering) const {
+        const OpenEndsState& state = flow.clock.open_ends;
+        return entering ? sound_.at(flow, 0, state.sound_upstream.now, i, over_floor(flow, i, true),
+                                    state.upstream)
+                        : sound_.at(flow, 1, state.sound_downstream.now, i, over_floor(flow, i, false),
+                                    state.downstream);
+    }
+
     /// In its stream, that is straight; the motions across it begin within one support of the channel, over
     /// which they grow to their size.
     [[nodiscard]] Vec<D> entering_velocity(const Flow& flow, std::size_t i) const {
@@ -215,7 +241,7 @@ class OpenEnds final : public Component<D, Real> {
         const Vec<3> relative = entering().at(moment_, y, place);
         const double grown = std::clamp(1.0 + flow.particles.position[0][i] / support_, 0.0, 1.0);
         Vec<D> u{};
-        u[0] = end.velocity * relative[0] / entering_mean_;
+        u[0] = end.velocity * relative[0] / entering_mean_ + sound_.velocity_of(0, sound_at(flow, i, true));
         if constexpr (D == 3) u[1] = grown * end.velocity * relative[1] / entering_mean_;
         u[Flow::vertical] = place * end.depth_rate + grown * end.velocity * relative[2] / entering_mean_;
         return u;
@@ -229,6 +255,10 @@ class OpenEnds final : public Component<D, Real> {
                      watch_.half());
         Vec<D> u = vector_of(flow.particles.velocity, i);
         for (std::size_t k = 0; k < Flow::axes; ++k) u[k] = wanted[k] + kept * (u[k] - wanted[k]);
+        const OpenEndsState& state = flow.clock.open_ends;
+        const double before = sound_.at(flow, 1, state.sound_downstream.before, i, over_floor(flow, i, false),
+                                        state.downstream);
+        u[0] += sound_.velocity_of(1, sound_at(flow, i, false) - before);
         return u;
     }
 
@@ -290,28 +320,9 @@ class OpenEnds final : public Component<D, Real> {
         const auto& x = flow.particles.position[0];
         const double from = -(support_ + travel_) - 2.0 * lattice_.dx;
         const double to = length_ + support_ + (falls_ ? 0.5 * flow.scheme.depth : 0.0);
-        take_out_where(flow, [&](std::size_t i) {
+        take_out_with_account(flow, [&](std::size_t i) {
             return x[i] < from || x[i] > to || (falls_ && has_fallen(flow.particles, i));
         });
-    }
-
-    /// Take out the particles of which leaves(index) holds, with account.
-    template <class Leaves>
-    void take_out_where(Flow& flow, const Leaves& leaves) {
-        Particles<D>& p = flow.particles;
-        EndsLedger& ledger = flow.clock.open_ends.ledger;
-        std::vector<std::int32_t> kept;
-        kept.reserve(p.size());
-        for (std::size_t i = 0; i < p.size(); ++i) {
-            if (!leaves(i)) {
-                kept.push_back(static_cast<std::int32_t>(i));
-                continue;
-            }
-            ++ledger.left;
-            ledger.mass_left += p.mass[i];
-            ledger.momentum_left += p.mass[i] * p.velocity[0][i];
-        }
-        if (kept.size() < p.size()) p.permute(kept);
     }
 
     /// Whether the particles that wait before the inflow take up another room than the water of its section:
@@ -333,7 +344,7 @@ class OpenEnds final : public Component<D, Real> {
     /// Take out the water before the inflow; its streams are filled again from the channel on.
     void lay_inflow_anew(Flow& flow) {
         OpenEndsState& state = flow.clock.open_ends;
-        take_out_where(flow, [&](std::size_t i) { return flow.particles.position[0][i] < 0.0; });
+        take_out_with_account(flow, [&](std::size_t i) { return flow.particles.position[0][i] < 0.0; });
         streams_.begin(state, state.rows, 0.5 * streams_.length(state.rows, state.upstream.depth));
     }
 
@@ -341,80 +352,24 @@ class OpenEnds final : public Component<D, Real> {
         OpenEndsState& state = flow.clock.open_ends;
         const EndState& end = state.upstream;
         go_to_now(flow);
+        const auto add = [&](const std::vector<Vec<D>>& places, bool entering, const auto& velocity) {
+            const EndState& section = entering ? state.upstream : state.downstream;
+            const auto pressure = [&](std::size_t i) {
+                return pressure_of(section, over_floor(flow, i, entering));
+            };
+            add_with_account(flow, lattice_.volume(), places, pressure, velocity);
+        };
+        const EndRows before{.rows = state.rows, .depth = end.depth, .floor = floors_.upstream};
         std::vector<Vec<D>> places;
         streams_.fill(state, end.depth, [&](int row, int file, double x) {
-            places.push_back(place_of(row, file, x, state.rows, end.depth, floors_.upstream));
+            places.push_back(place_in_rows<D>(lattice_, streams_, before, row, file, x));
         });
-        add(flow, places, end, true, [&](std::size_t i) { return entering_velocity(flow, i); });
-        if (!falls_ && state.downstream.velocity < 0.0) {
-            const auto behind = gaps_behind_outflow(flow);
-            add(flow, behind, state.downstream, false,
-                [&](std::size_t i) { return leaving_section(flow, i); });
-        }
-    }
-
-    [[nodiscard]] Vec<D> place_of(int row, int file, double x, int rows, double depth, double floor) const {
-        Vec<D> place{};
-        place[0] = x;
-        if constexpr (D == 3) place[1] = lattice_.y(file, row);
-        place[Flow::vertical] = floor + streams_.height_of(row, rows, depth);
-        return place;
-    }
-
-    /// Where the flow comes back from the outflow, what has gone into the channel is to be replaced: places
-    /// behind the last particle of each row.
-    [[nodiscard]] std::vector<Vec<D>> gaps_behind_outflow(const Flow& flow) const {
-        const Particles<D>& p = flow.particles;
-        const double depth = std::max(flow.clock.open_ends.downstream.depth, lattice_.dz);
-        const int rows = streams_.rows_for(depth);
-        const int files = lattice_.files;
-        const double step = streams_.length(rows, depth);
-        std::vector<double> last(static_cast<std::size_t>(rows) * static_cast<std::size_t>(files),
-                                 length_ - step);
-        const auto index = [](double place, int count) {
-            return static_cast<std::size_t>(std::clamp(place, 0.0, count - 0.5));
-        };
-        for (std::size_t i = 0; i < p.size(); ++i) {
-            if (p.position[0][i] > length_ - step) {
-                const std::size_t row = index(over_floor(flow, i, false) / depth * rows, rows);
-                const std::size_t file = index(across_of<D>(p.position, i) / lattice_.dy, files);
-                double& place = last[row * static_cast<std::size_t>(files) + file];
-                place = std::max(place, p.position[0][i]);
-            }
-        }
-        std::vector<Vec<D>> places;
-        for (int row = 0; row < rows; ++row) {
-            for (int file = 0; file < files; ++file) {
-                const auto at = static_cast<std::size_t>(row) * static_cast<std::size_t>(files) +
-                                static_cast<std::size_t>(file);
-                for (double x = last[at] + step; x < length_ + support_; x += step) {
-                    places.push_back(place_of(row, file, x, rows, depth, floors_.downstream));
-                }
-            }
-        }
-        return places;
-    }
-
-    /// Add particles at places beyond an end, with the velocity of each by its index.
-    template <class Velocity>
-    void add(Flow& flow, const std::vector<Vec<D>>& places, const EndState& end, bool entering,
-             const Velocity& velocity) const {
-        if (places.empty()) return;
-        Particles<D>& p = flow.particles;
-        EndsLedger& ledger = flow.clock.open_ends.ledger;
-        const std::size_t first = p.append(places.size());
-        for (std::size_t n = 0; n < places.size(); ++n) {
-            const std::size_t i = first + n;
-            for (std::size_t k = 0; k < Flow::axes; ++k) p.position[k][i] = places[n][k];
-            const double s = flow.scheme.state.deviation(pressure_of(end, over_floor(flow, i, entering)));
-            p.density_deviation[i] = s;
-            p.mass[i] = flow.scheme.density * (1.0 + s) * lattice_.volume();
-            const Vec<D> u = velocity(i);
-            for (std::size_t k = 0; k < Flow::axes; ++k) p.velocity[k][i] = u[k];
-            ++ledger.entered;
-            ledger.mass_entered += p.mass[i];
-            ledger.momentum_entered += p.mass[i] * u[0];
-        }
+        add(places, true, [&](std::size_t i) { return entering_velocity(flow, i); });
+        if (falls_ || state.downstream.velocity >= 0.0) return;
+        const double depth = std::max(state.downstream.depth, lattice_.dz);
+        const EndRows behind{.rows = streams_.rows_for(depth), .depth = depth, .floor = floors_.downstream};
+        add(gaps_behind_outflow(flow.particles, lattice_, streams_, behind, length_, support_), false,
+            [&](std::size_t i) { return leaving_section(flow, i); });
     }
 
     Lattice lattice_;
@@ -427,6 +382,7 @@ class OpenEnds final : public Component<D, Real> {
     double travel_;   ///< of water at an end from list build to list build, m
     double support_;  ///< water that must stand beyond an end, m
     EndWatch<D, Real> watch_;
+    EndSound<D, Real> sound_;
     InflowStreams streams_;
     std::vector<double> files_;           ///< places of the streams across the channel, m
     std::vector<std::uint8_t> near_end_;  ///< by cluster

@@ -27,6 +27,14 @@ void for_each_amount(Ledger& ledger, const F& f) {
 
 constexpr std::size_t fixed_numbers = 25;
 
+/// A count among numbers of a state.
+std::size_t count_of(double number) {
+    if (!(number >= 0.0 && number < 9e15 && number == std::floor(number))) {
+        throw std::invalid_argument("a count of the open ends is no whole number");
+    }
+    return static_cast<std::size_t>(number);
+}
+
 }  // namespace
 
 std::vector<double> OpenEndsState::numbers() const {
@@ -58,9 +66,7 @@ OpenEndsState OpenEndsState::from(const std::vector<double>& numbers) {
     take(state.travel);
     for (double& number : whole) {
         take(number);
-        if (!(number >= 0.0 && number < 9e15 && number == std::floor(number))) {
-            throw std::invalid_argument("a count of the open ends is no whole number");
-        }
+        (void)count_of(number);
     }
     state.rows = static_cast<int>(whole[0]);
     state.ledger.entered = static_cast<std::int64_t>(whole[1]);
@@ -80,6 +86,33 @@ OpenEndsState OpenEndsState::from(const std::vector<double>& numbers) {
     }
     state.begun = true;
     return state;
+}
+
+std::vector<double> OpenEndsState::sound_numbers() const {
+    std::vector<double> all;
+    for (const SoundBeyondEnd* const sound : {&sound_upstream, &sound_downstream}) {
+        for (const auto* const values : {&sound->slow, &sound->now, &sound->before}) {
+            all.push_back(static_cast<double>(values->size()));
+            all.insert(all.end(), values->begin(), values->end());
+        }
+    }
+    return all;
+}
+
+void OpenEndsState::take_sound(const std::vector<double>& numbers) {
+    std::size_t next = 0;
+    for (SoundBeyondEnd* const sound : {&sound_upstream, &sound_downstream}) {
+        for (auto* const values : {&sound->slow, &sound->now, &sound->before}) {
+            const std::size_t count = next < numbers.size() ? count_of(numbers[next]) : numbers.size();
+            if (next >= numbers.size() || count > numbers.size() - next - 1) {
+                throw std::invalid_argument("the sound at the open ends is cut off");
+            }
+            const auto first = numbers.begin() + static_cast<std::ptrdiff_t>(next) + 1;
+            values->assign(first, first + static_cast<std::ptrdiff_t>(count));
+            next += count + 1;
+        }
+    }
+    if (next != numbers.size()) throw std::invalid_argument("the sound at the open ends has more numbers");
 }
 
 }  // namespace riffle::inline ends

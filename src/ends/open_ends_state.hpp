@@ -3,6 +3,8 @@
 #include <cstdint>
 #include <vector>
 
+#include "ends/outgoing_sound.hpp"
+
 namespace riffle::inline ends {
 
 /// What crosses the ends of the simulated water, all in all: an account of each particle.
@@ -46,11 +48,16 @@ struct OpenEndsState {
     std::vector<double>
         front;  ///< place of the last particle of each stream, m: by rows, within them by files
     EndsLedger ledger;
+    SoundBeyondEnd sound_upstream;
+    SoundBeyondEnd sound_downstream;
 
     /// All of it as numbers, for a checkpoint; empty where there are no open ends.
     [[nodiscard]] std::vector<double> numbers() const;
     /// From numbers(). Throws std::invalid_argument where they are not such.
     [[nodiscard]] static OpenEndsState from(const std::vector<double>& numbers);
+    /// The sound at both ends as numbers, and back. Throws std::invalid_argument where they are not such.
+    [[nodiscard]] std::vector<double> sound_numbers() const;
+    void take_sound(const std::vector<double>& numbers);
 
     bool operator==(const OpenEndsState&) const = default;
 };

@@ -187,6 +187,10 @@ struct State {
                  "state of the open ends: the sections, the streams that enter and the account of "
                  "what has crossed them, in SI units",
                  at_the_end | with_open_ends, "number");
+    Field sound_at_ends = of_state("sound_at_ends", "1",
+                                   "sound that leaves through the open ends: pressures over the density in "
+                                   "the water beyond them, in SI units",
+                                   at_the_end | with_open_ends, "number");
     Field free_bodies =
         of_state("free_bodies", "1",
                  "state of the free bodies: places, velocities and turns now and when the lists were built, "

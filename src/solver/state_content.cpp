@@ -173,7 +173,10 @@ void add_clock(Content& content, const SimulationIn<D>& simulation) {
     add_field(content, of.time_step, clock.time_step);
     add_field(content, of.largest_acceleration, clock.largest_acceleration);
     add_field(content, of.displacement_bound, clock.displacement_bound);
-    if (clock.open_ends.begun) add_field(content, fields::state.open_ends, D, clock.open_ends.numbers());
+    if (clock.open_ends.begun) {
+        add_field(content, fields::state.open_ends, D, clock.open_ends.numbers());
+        add_field(content, fields::state.sound_at_ends, D, clock.open_ends.sound_numbers());
+    }
     if (!clock.free_bodies.empty()) {
         add_field(content, fields::state.free_bodies, D, free_body_numbers(clock));
     }
@@ -224,6 +227,10 @@ void restore_state(const CheckpointReader& checkpoint, SimulationIn<D>& simulati
     if (simulation.clock().open_ends.begun) {
         try {
             clock.open_ends = OpenEndsState::from(checkpoint.read_doubles(state.open_ends.path()));
+            // A checkpoint of before it was followed has no sound.
+            if (checkpoint.has(state.sound_at_ends.path())) {
+                clock.open_ends.take_sound(checkpoint.read_doubles(state.sound_at_ends.path()));
+            }
         } catch (const std::invalid_argument& wrong) {
             throw FileError(fmt::format("the checkpoint's {}: {}", state.open_ends.path(), wrong.what()));
         }

@@ -442,7 +442,9 @@ TEST_P(OpenEndsBits, TheSameForAnyNumberOfThreadsAndAfterARestore) {
         two.simulation->listed_positions(k, 0, saved.listed_position[k]);
     }
     SimulationClock clock = two.simulation->clock();
+    const std::vector<double> sound = clock.open_ends.sound_numbers();
     clock.open_ends = OpenEndsState::from(clock.open_ends.numbers());
+    clock.open_ends.take_sound(sound);
     resumed.simulation->restore(saved, clock, two.simulation->wall_density_deviation());
     two.advance_to(0.3);
     resumed.advance_to(0.3);

@@ -103,6 +103,16 @@ TEST(InflowStreams, AStateIsTheSameAfterItsNumbers) {
     inflow.state.travel = 1e-3;
     EXPECT_EQ(OpenEndsState::from(inflow.state.numbers()), inflow.state);
     EXPECT_TRUE(OpenEndsState().numbers().empty());
+    OpenEndsState loud = inflow.state;
+    loud.sound_upstream = {.slow = {0.1}, .now = {0.2, 0.3}, .before = {0.4, 0.5}};
+    loud.sound_downstream.now = {0.6};
+    std::vector<double> sound = loud.sound_numbers();
+    OpenEndsState back = inflow.state;
+    back.take_sound(sound);
+    EXPECT_EQ(back, loud);
+    sound.pop_back();
+    EXPECT_THROW(back.take_sound(sound), std::invalid_argument);
+    EXPECT_THROW(back.take_sound({1.5, 0.0}), std::invalid_argument);
     std::vector<double> cut = inflow.state.numbers();
     cut.resize(12);
     EXPECT_THROW((void)OpenEndsState::from(cut), std::invalid_argument);

@@ -1,0 +1,103 @@
+#include "ends/outgoing_sound.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace riffle::inline ends {
+
+namespace {
+
+/// The two bins whose middles a place lies between, and the share of the second.
+struct Between {
+    int low = 0;
+    int high = 0;
+    double share = 0.0;
+};
+
+Between between(double place, int bins) {
+    const double at = std::clamp(place * bins - 0.5, 0.0, bins - 1.0);
+    const int low = static_cast<int>(at);
+    return {low, std::min(low + 1, bins - 1), at - low};
+}
+
+int bin_at(double place, int bins) { return static_cast<int>(std::clamp(place * bins, 0.0, bins - 0.5)); }
+
+}  // namespace
+
+OutgoingSound::OutgoingSound(const Grid& grid)
+    : grid_(grid),
+      nodes_(static_cast<std::size_t>(std::ceil(grid.length / grid.spacing)) + 2),
+      weight_(static_cast<std::size_t>(grid.bins_upright) * static_cast<std::size_t>(grid.bins_across)),
+      pressure_(weight_.size()) {}
+
+std::size_t OutgoingSound::bin(int upright, int across) const {
+    return static_cast<std::size_t>(across) * static_cast<std::size_t>(grid_.bins_upright) +
+           static_cast<std::size_t>(upright);
+}
+
+void OutgoingSound::clear() {
+    weight_.assign(weight_.size(), 0.0);
+    pressure_.assign(pressure_.size(), 0.0);
+}
+
+void OutgoingSound::add(const Place& place, double weight, double pressure) {
+    const std::size_t at =
+        bin(bin_at(place.upright, grid_.bins_upright), bin_at(place.across, grid_.bins_across));
+    weight_[at] += weight;
+    pressure_[at] += weight * pressure;
+}
+
+void OutgoingSound::advance(SoundBeyondEnd& sound, double speed, double slow_time, double full, double most,
+                            double dt) {
+    sound.slow.resize(bins(), 0.0);
+    sound.now.resize(bins() * nodes_, 0.0);
+    sound.before = sound.now;
+    const double courant = std::max(0.0, speed) * dt / grid_.spacing;
+    const int parts = std::max(1, static_cast<int>(std::ceil(courant)));
+    for (int part = 0; part < parts; ++part) carry(sound.now, courant / parts);
+    const double share = std::min(1.0, dt / slow_time);
+    for (std::size_t b = 0; b < bins(); ++b) {
+        double fast = 0.0;
+        if (weight_[b] > 0.5 * full) {
+            const double pressure = std::clamp(pressure_[b] / weight_[b], -most, most);
+            sound.slow[b] += share * (pressure - sound.slow[b]);
+            fast = pressure - sound.slow[b];
+        }
+        sound.now[b * nodes_] = fast;
+    }
+}
+
+/// One step of Lax & Wendroff's scheme, at the last node upwind.
+void OutgoingSound::carry(std::vector<double>& nodes, double courant) const {
+    for (std::size_t b = 0; b < bins(); ++b) {
+        double* const f = nodes.data() + b * nodes_;
+        double behind = f[0];
+        for (std::size_t k = 1; k < nodes_; ++k) {
+            const double here = f[k];
+            f[k] = here - courant * (here - behind);
+            if (k + 1 < nodes_) f[k] -= 0.5 * courant * (1.0 - courant) * (f[k + 1] - 2.0 * here + behind);
+            behind = here;
+        }
+    }
+}
+
+double OutgoingSound::at(const std::vector<double>& nodes, double distance, const Place& place) const {
+    if (nodes.empty()) return 0.0;
+    const double along = std::clamp(distance / grid_.spacing, 0.0, static_cast<double>(nodes_) - 1.0);
+    const auto node = std::min(static_cast<std::size_t>(along), nodes_ - 2);
+    const double part = along - static_cast<double>(node);
+    const Between upright = between(place.upright, grid_.bins_upright);
+    const Between across = between(place.across, grid_.bins_across);
+    const auto of_bin = [&](int up, int side) {
+        const double* const f = nodes.data() + bin(up, side) * nodes_ + node;
+        return f[0] + part * (f[1] - f[0]);
+    };
+    const auto of_file = [&](int side) {
+        const double low = of_bin(upright.low, side);
+        return low + upright.share * (of_bin(upright.high, side) - low);
+    };
+    const double low = of_file(across.low);
+    return low + across.share * (of_file(across.high) - low);
+}
+
+}  // namespace riffle::inline ends
