@@ -11,6 +11,7 @@
 #include "analysis/gauges.hpp"
 #include "analysis/momentum_budget.hpp"
 #include "case/flow_kind.hpp"
+#include "case/porous_zone.hpp"
 #include "record/flow_fields.hpp"
 #include "record/probe_fields.hpp"
 #include "record/twin_fields.hpp"
@@ -268,6 +269,12 @@ void analyse_forces(const FlowRecord& record, Analysis& analysis) {
     if (!complete) {
         analysis.warnings.emplace_back(
             "the time series of the forces have gaps at different times: their balance is left out");
+        return;
+    }
+    if (record.flow() && porosity_varies_along(*record.flow())) {
+        analysis.warnings.emplace_back(
+            "porous zones end along the channel, where the pressure pushes their grains as well, which is not "
+            "recorded: the sum of the forces is not held against the weight");
         return;
     }
     const MeanEstimate balance = mean_with_confidence(sum_of_forces);

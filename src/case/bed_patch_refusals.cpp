@@ -104,7 +104,8 @@ CheckList bed_patch_refusals() {
                  "make the spacing smaller or the patch larger",
                  [](const Case& c, const BedPatch& patch) {
                      const double least = least_extent(c, patch);
-                     return found_if(least < c.numerics.spacing * (1 - 1e-9),
+                     // One that ends before it begins is told of above.
+                     return found_if(least >= 0.0 && least < c.numerics.spacing * (1 - 1e-9),
                                      "is {} in one direction, and the particles stand {} apart",
                                      shown_length(least), shown_length(c.numerics.spacing));
                  }},

@@ -183,6 +183,13 @@ std::vector<HeightPoint> read_points(std::string_view content, const std::string
         if (words[0].starts_with('#')) continue;
         if (std::exchange(first, false) && !read_number(words[0], number)) {  // names of the columns
             count = words.size();
+            if (std::any_of(words.begin(), words.end(),
+                            [](auto word) { return word.find('[') != std::string_view::npos; })) {
+                lines.fault(
+                    fmt::format("expected columns of the names {} without units; give the unit of the "
+                                "file by `unit`, such as unit = \"mm\"",
+                                expected));
+            }
             for (std::size_t k = 0; k < names.size(); ++k) {
                 const auto found = std::find_if(words.begin(), words.end(),
                                                 [&](auto word) { return lower_case(word) == names[k]; });
@@ -226,7 +233,7 @@ struct RegularPlaces {
     std::size_t count = 0;
 };
 
-/// Unset where the numbers do not stand on regular places within a twentieth of their step.
+/// Unset where the numbers do not stand on regular places within a tenth of their step.
 std::optional<RegularPlaces> regular_places(std::vector<double> values) {
     std::sort(values.begin(), values.end());
     const double range = values.back() - values.front();
@@ -238,11 +245,20 @@ std::optional<RegularPlaces> regular_places(std::vector<double> values) {
         const double gap = values[i] - values[i - 1];
         if (gap > 1e-6 * range) least = std::min(least, gap);
     }
-    const double steps = std::round(range / least);
+    // From gap to gap: places that were rounded when they were written have gaps longer and shorter than the
+    // step, and the least of them would count too many over a long row.
+    double steps = 0.0;
+    double last = values.front();
+    for (const double value : values) {
+        if (value - last <= 1e-6 * range) continue;
+        steps += std::round((value - last) / least);
+        last = value;
+    }
     const RegularPlaces places{values.front(), range / steps, static_cast<std::size_t>(steps) + 1};
+    constexpr double most_rounding = 0.1;  // of a step
     for (const double value : values) {
         const double at = (value - places.first) / places.step;
-        if (std::abs(at - std::round(at)) > 0.05) return std::nullopt;
+        if (std::abs(at - std::round(at)) > most_rounding) return std::nullopt;
     }
     return places;
 }

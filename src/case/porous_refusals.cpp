@@ -273,7 +273,8 @@ CheckList porous_refusals() {
                        [](const Case&, const Porous& zone) {
                            const bool both = zone.grain_size && zone.permeability;
                            return found_if(zone.grain_size.has_value() == zone.permeability.has_value(), "{}",
-                                           both ? "both are given" : "neither is given");
+                                           both ? "grain_size and permeability are both given"
+                                                : "neither grain_size nor permeability is given");
                        }),
             medium_row({"porous.forchheimer", "porous.grain_size"}, "`forchheimer` with `grain_size`",
                        "the quadratic resistance of grains is that of inertial_coefficient",

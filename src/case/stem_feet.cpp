@@ -11,39 +11,48 @@ namespace riffle::inline case_file {
 
 namespace {
 
-void raise(std::optional<double>& top, double z) { top = std::max(top.value_or(z), z); }
+void widen(std::optional<SolidStretch>& extent, double z) {
+    if (!extent) extent = SolidStretch{z, z};
+    extent->low = std::min(extent->low, z);
+    extent->high = std::max(extent->high, z);
+}
 
-std::optional<double> top_of_outline(const Outline& outline, double x) {
-    std::optional<double> top;
+void widen_by_outline(std::optional<SolidStretch>& extent, const Outline& outline, double x) {
     for (std::size_t i = 0; i < outline.size(); ++i) {
         const std::size_t j = outline.next(i);
         const double along = outline.x[j] - outline.x[i];
         if (x < std::min(outline.x[i], outline.x[j]) || x > std::max(outline.x[i], outline.x[j])) continue;
         if (along == 0.0) {
-            raise(top, std::max(outline.z[i], outline.z[j]));
+            widen(extent, outline.z[i]);
+            widen(extent, outline.z[j]);
         } else {
-            raise(top, outline.z[i] + (x - outline.x[i]) / along * (outline.z[j] - outline.z[i]));
+            widen(extent, outline.z[i] + (x - outline.x[i]) / along * (outline.z[j] - outline.z[i]));
         }
     }
-    return top;
 }
 
 }  // namespace
 
-std::optional<double> solid_top(const Case& c, const Solid& solid, double x, double y) {
+std::optional<SolidStretch> solid_extent(const Case& c, const Solid& solid, double x, double y) {
     if (c.channel.dimensions == 2) {
         const Outline outline{solid.x, solid.z};
-        std::optional<double> top = top_of_outline(outline, x);
+        std::optional<SolidStretch> extent;
+        widen_by_outline(extent, outline, x);
         if (c.channel.ends == Ends::periodic) {
-            // Empty is below any height.
-            top = std::max({top, top_of_outline(outline, x - c.channel.length),
-                            top_of_outline(outline, x + c.channel.length)});
+            widen_by_outline(extent, outline, x - c.channel.length);
+            widen_by_outline(extent, outline, x + c.channel.length);
         }
-        return top;
+        return extent;
     }
     const SolidMesh* const mesh = mesh_of(c, solid);
     const auto stretches = mesh != nullptr ? upright_stretches(*mesh, x, y) : std::vector<SolidStretch>{};
-    return stretches.empty() ? std::nullopt : std::optional(stretches.back().high);
+    return stretches.empty() ? std::nullopt
+                             : std::optional(SolidStretch{stretches.front().low, stretches.back().high});
+}
+
+std::optional<double> solid_top(const Case& c, const Solid& solid, double x, double y) {
+    const auto extent = solid_extent(c, solid, x, y);
+    return extent ? std::optional(extent->high) : std::nullopt;
 }
 
 double stem_foot(const Case& c, const Vegetation& stems, double x, double y) {

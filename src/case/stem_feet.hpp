@@ -5,8 +5,13 @@
 
 #include "case/case.hpp"
 #include "case/outline.hpp"
+#include "case/solid_stretches.hpp"
 
 namespace riffle::inline case_file {
+
+/// From where to where a solid reaches, where it stands at the start, over a place in plan, m: from its
+/// lowest point there to its highest. As solid_top().
+[[nodiscard]] std::optional<SolidStretch> solid_extent(const Case& c, const Solid& solid, double x, double y);
 
 /// Height of the top of a solid, where it stands at the start, over a place in plan, m; in two dimensions y
 /// does not count. Nothing where none of it lies, and of a solid in space whose surface was not read.

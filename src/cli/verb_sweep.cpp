@@ -100,7 +100,8 @@ void conclude(const SweepVerb& verb, const std::vector<SweepRun>& runs, const st
     if (failed > 0) {
         fmt::print(
             "{} of {} runs failed; their logs (run.log) say why. The same command with --force begins "
-            "them anew, `riffle resume FOLDER --set numerics.courant_number=...` goes on with one\n",
+            "them anew; `riffle resume FOLDER` goes on with one, with a smaller step by --set "
+            "numerics.courant_number=... or, where the case gives the step, numerics.time_step=...\n",
             failed, runs.size());
     }
 }

@@ -95,6 +95,9 @@ ColumnProfile make_profile(const Case& c, const ColumnGrid& grid, const Momentum
     p.z = grid.centre;
     p.velocity = u;
     for (std::size_t i = 0; i < n; ++i) p.velocity[i] /= balance.porosity(i);
+    if (!c.porous.empty()) {
+        for (std::size_t i = 0; i < n; ++i) p.porosity.push_back(balance.porosity(i));
+    }
     p.mixing_length = balance.cell_mixing_length();
     p.velocity_gradient.resize(n);
     p.shear_stress.resize(n);
@@ -158,8 +161,10 @@ ColumnResult solve_column(const Case& c, int cells) {
     result.depth_mean_velocity = mean_above(grid, balance, u, c.datum());
     result.total_mean_velocity = mean_above(grid, balance, u, 0.0);
     const bool wall_above = c.bed.kind == BedKind::no_slip && c.channel.top == Top::wall;
+    const double to_surface = grid.face.back() - grid.centre.back();
     result.surface_velocity =
-        wall_above ? 0.0 : u.back() + p.velocity_gradient.back() * (grid.face.back() - grid.centre.back());
+        wall_above ? 0.0
+                   : (u.back() + p.velocity_gradient.back() * to_surface) / balance.porosity(u.size() - 1);
     result.friction_velocity = std::sqrt(std::abs(stress_at(grid, stress, c.crest())));
     // The friction of a bed by a wall law acts on the particles as a drag.
     const double at_bed = stress.front() / weight;

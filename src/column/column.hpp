@@ -17,6 +17,7 @@ struct ColumnProfile {
     std::vector<double> shear_stress;       ///< rho (nu0 + nu_t) du/dz, Pa
     std::vector<double> mixing_length;      ///< l_m
     std::vector<double> eddy_viscosity;     ///< nu_t
+    std::vector<double> porosity;           ///< share of water; empty without porous layers
 };
 
 /// The column twin of a case: steady uniform flow of the same model in one dimension.

@@ -108,10 +108,18 @@ SectionResult section_result(const Case& c, const SectionGrid& grid, const Secti
     }
     const double water = balance.water_area().sum();
     r.bulk_velocity = balance.area().dot(u) / water;
-    const double square = balance.area().dot(u.cwiseProduct(u)) / water;
-    const double cube = balance.area().dot(u.cwiseProduct(u).cwiseProduct(u)) / water;
-    r.momentum_coefficient = square / (r.bulk_velocity * r.bulk_velocity);
-    r.energy_coefficient = cube / (r.bulk_velocity * r.bulk_velocity * r.bulk_velocity);
+    // As of the column: in porous layers the momentum and energy of the water over its share of the section.
+    double square = 0.0;
+    double cube = 0.0;
+    for (Eigen::Index i = 0; i < u.size(); ++i) {
+        const double in_pores = u(i) / balance.porosity(i);
+        square += balance.area()(i) * u(i) * in_pores;
+        cube += balance.area()(i) * u(i) * in_pores * in_pores;
+    }
+    const double total_area = balance.area().sum();
+    const double mean = balance.area().dot(u) / total_area;
+    r.momentum_coefficient = square / water / (mean * mean);
+    r.energy_coefficient = cube / total_area / (mean * mean * mean);
     r.depth_mean_velocity = above / above_area;
     r.centreline_velocity = r.depth_means(c.datum(), depth)[columns - 1];
     r.maximum_velocity = *std::max_element(r.velocity.begin(), r.velocity.end());

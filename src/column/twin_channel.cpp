@@ -23,7 +23,9 @@ namespace {
 
 constexpr double small_slope = 1e-3;
 
-/// Means over the depth of a column's profile.
+/// Means over the depth of a column's profile. In porous layers the discharge is that of the water, and the
+/// coefficients belong to the mean of the discharge over the whole depth: the momentum of the water over the
+/// share of it, on which the pressure acts as well.
 struct ProfileMeans {
     double unit_discharge = 0.0;  ///< m2/s
     double momentum_coefficient = 1.0;
@@ -34,17 +36,19 @@ ProfileMeans means_of(const ColumnProfile& profile) {
     double discharge = 0.0;
     double square = 0.0;
     double cube = 0.0;
+    double water = 0.0;
     double face = 0.0;
     for (std::size_t i = 0; i < profile.z.size(); ++i) {
         const double next = 2.0 * profile.z[i] - face;
         const double u = profile.velocity[i];
-        const double thickness = next - face;
+        const double thickness = (next - face) * (profile.porosity.empty() ? 1.0 : profile.porosity[i]);
+        water += thickness;
         discharge += thickness * u;
         square += thickness * u * u;
         cube += thickness * u * u * u;
         face = next;
     }
-    return {discharge, face * square / (discharge * discharge),
+    return {discharge, face * (face / water) * square / (discharge * discharge),
             face * face * cube / (discharge * discharge * discharge)};
 }
 

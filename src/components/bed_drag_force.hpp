@@ -9,6 +9,7 @@
 #include "engine/pair_setup.hpp"
 #include "particles/lattice.hpp"
 #include "roughness/bed_drag.hpp"
+#include "roughness/covered_bed.hpp"
 #include "roughness/log_law_friction.hpp"
 #include "roughness/particle_bed_drag.hpp"
 #include "roughness/side_wall_partition.hpp"
@@ -182,7 +183,7 @@ class BedDragForce final : public Component<D, Real> {
 
 template <int D, class Real>
 std::unique_ptr<Component<D, Real>> make_bed_drag_force(FlowOf<D, Real>& flow) {
-    auto drag = make_particle_bed_drag(flow.c, lattice_of(flow.c).dz);
+    auto drag = drag_beside_solids(flow.c, make_particle_bed_drag(flow.c, lattice_of(flow.c).dz));
     return drag || (D == 3 && flow.c.has_side_wall_drag())
                ? std::make_unique<BedDragForce<D, Real>>(flow, std::move(drag))
                : nullptr;

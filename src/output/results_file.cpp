@@ -87,7 +87,7 @@ void told(const std::filesystem::path& path, const char* action, const char* int
         throw FileError(fmt::format("{}: cannot be {}: {}{}", path.string(), action,
                                     explain(error.code(), path, bytes), intact));
     } catch (const NotWhole& not_whole) {
-        throw FileError(fmt::format("{}: {}. {}", path.string(), not_whole.what(), after_damage));
+        throw FileError(fmt::format("{}: {}. {}", path.string(), not_whole.what(), after_loss));
     } catch (const Hdf5Failure& failure) {
         throw FileError(
             fmt::format("{}: cannot be {}: {}.{}", path.string(), action, failure.what(), intact));
@@ -191,7 +191,7 @@ std::uint64_t ResultsReader::verify() const {
     const std::vector<std::uint64_t> pages = impl().told([&] { return sealed->content().damaged_pages(); });
     if (pages.empty()) return sealed->content().bytes_behind();
     throw FileError(fmt::format("{}: has been altered or damaged: {} {}", path().string(),
-                                damage_text(path(), results_seal, pages), after_damage));
+                                damage_text(path(), results_seal, pages), after_loss));
 }
 
 }  // namespace riffle::inline output

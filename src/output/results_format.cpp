@@ -79,7 +79,7 @@ std::unique_ptr<ContentReader::Impl> open_results(const std::filesystem::path& p
             "{}: is not an HDF5 file of results (or its beginning is damaged). Give the results.h5 of a run.",
             path.string()));
     } catch (const NotWhole& not_whole) {
-        throw FileError(fmt::format("{}: {}. {}", path.string(), not_whole.what(), after_damage));
+        throw FileError(fmt::format("{}: {}. {}", path.string(), not_whole.what(), after_loss));
     } catch (const std::system_error& error) {
         throw FileError(fmt::format("{}: cannot be read: {}", path.string(), explain(error.code(), path)));
     }

@@ -17,8 +17,10 @@ void require_results_format(const Hdf5Handle& file, const std::filesystem::path&
 /// Throw the FileError of a file that is missing or cannot be read at all.
 void require_readable(const std::filesystem::path& path);
 
-/// What to do about a damaged results file.
+/// What to do about a damaged results file: where something of it could not be read, and where what is lost
+/// of it has been said, or cannot be known.
 inline constexpr const char* after_damage =
     "Restore it from a copy, or run the case again; `riffle verify` lists what of it is lost.";
+inline constexpr const char* after_loss = "Restore it from a copy, or run the case again.";
 
 }  // namespace riffle::inline output

@@ -39,12 +39,13 @@ struct ColumnNumbers {
     Field surface_velocity = column_number("surface_velocity", "m/s", "velocity at the surface");
     Field friction_velocity =
         column_number("friction_velocity", "m/s", "friction velocity, from the stress at the crests");
-    Field log_law_friction_velocity = column_number("log_law_friction_velocity", "m/s",
-                                                    "friction velocity of the log law fitted to the column");
-    Field equivalent_roughness =
-        column_number("equivalent_roughness", "m", "equivalent roughness of the same fit");
+    Field log_law_friction_velocity =
+        column_number("log_law_friction_velocity", "m/s",
+                      "friction velocity of the log law fitted to the column", {.written = where_fitted});
+    Field equivalent_roughness = column_number(
+        "equivalent_roughness", "m", "equivalent roughness of the same fit", {.written = where_fitted});
     Field zero_plane = column_number("zero_plane", "m", "zero plane of the same fit, above the bed level",
-                                     {.reader = Reader::users});
+                                     {.written = where_fitted, .reader = Reader::users});
     Field drag_share = column_number("drag_share", "1", "bed drag over the weight component");
     Field wall_share = column_number("wall_share", "1", "wall force over the weight component");
     Field vegetation_share =

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "case/flow_kind.hpp"
+#include "case/porous_zone.hpp"
 #include "record/flow_fields.hpp"
 #include "record/run_fields.hpp"
 #include "record/twin_fields.hpp"
@@ -74,7 +75,9 @@ class ChannelRows : public DiagnosticRows {
         constexpr double bar = 0.25;
         const double least = found->value - found->half_width.value_or(0.0);
         add({"fluctuation_growth", "Growth of the particles' fluctuation in the window",
-             (found->value < 0.0 ? "" : "+") + percent(found->value, 0),
+             // A number that its interval does not know from none would be read as one that is known.
+             found->value > bar && least <= bar ? "not told apart from none"
+                                                : (found->value < 0.0 ? "" : "+") + percent(found->value, 0),
              "at most 25 %, as far as its interval tells",
              "By the trend of the logarithm of the velocity fluctuation. One that grows says that the "
              "particles are leaving the order they started in: the flow is on its way to another state, with "
@@ -109,20 +112,23 @@ class ChannelRows : public DiagnosticRows {
         const double share = *drag + wall + value(fields::summary.side_wall_over_gravity).value_or(0.0) +
                              value(fields::summary.vegetation_over_gravity).value_or(0.0) +
                              value(fields::summary.porous_over_gravity).value_or(0.0);
+        const bool pushed = porosity_varies_along(data_.flow);
         add({"force_budget",
              bodies_   ? "Force on bed, walls and bodies over the weight component"
              : porous_ ? "Resistance of porous zones, bed drag and wall friction over the weight component"
              : vegetation_ ? "Drag of vegetation and bed and wall friction over the weight component"
                            : "Drag and wall friction over the weight component",
-             percent(share), "100 ± 1 %",
-             bodies_
-                 ? "In steady flow bed, walls and bodies together must carry the whole component of the "
-                   "water's weight down the slope, the bodies by the pressure on their faces (form drag) "
-                   "and by friction. More: the flow still slows down; less: it still speeds up."
+             percent(share), pushed ? "none where porous zones end along the channel" : "100 ± 1 %",
+             bodies_ ? "In steady flow bed, walls and bodies together must carry the whole component of the "
+                       "water's weight down the slope, the bodies by the pressure on their faces (form drag) "
+                       "and by friction. More: the flow still slows down; less: it still speeds up."
+             : pushed
+                 ? "Where porous zones end along the channel the pressure pushes their grains as well, which is "
+                   "not recorded: the rest of the weight may be carried so."
                  : "In steady uniform flow the bed must carry the whole component of the water's weight down "
                    "the slope. More: the flow still slows down, or numerical friction acts; less: it still "
                    "speeds up.",
-             mark_of(std::abs(share - 1), 0.01)});
+             pushed ? Health::none : mark_of(std::abs(share - 1), 0.01)});
     }
 
     /// At open ends the water on either side pushes too.

@@ -175,7 +175,10 @@ void add_friction(Table& table, const ReportData& data, const Analysis& analysis
                                               : "Friction velocity, from the stress at the bed",
                      "<i>u</i><sub>∗</sub>", "m/s"),
               {of_window(data, analysis, of.friction_velocity), plain(measured.friction_velocity),
-               plain(find_value(data.column, fields::column_numbers.friction_velocity))});
+               // Among stems and stones it is that of the bed alone.
+               data.flow.vegetation.empty() && data.flow.porous.empty()
+                   ? plain(find_value(data.column, fields::column_numbers.friction_velocity))
+                   : Value()});
     table.add(
         row_of("log_law_friction_velocity", "Friction velocity, from the log-law fit", "<i>u</i><sub>∗</sub>",
                "m/s"),

@@ -11,6 +11,8 @@
 #include "base/notice.hpp"
 #include "boundary/round_body.hpp"
 #include "boundary/wall_motion.hpp"
+#include "case/outline.hpp"
+#include "case/solid_mesh.hpp"
 #include "case/solid_motion.hpp"
 #include "record/particle_fields.hpp"
 #include "solver/recycled_start.hpp"
@@ -166,5 +168,36 @@ std::vector<FreeBodyState> bodies_from_results(const Case& c, const Case& other,
     }
     return states;
 }
+
+template <int D>
+void refuse_water_in_new_solids(const Case& c, const Case& other, const Particles<D>& water,
+                                const std::string& file_name) {
+    for (const Solid& solid : c.solids) {
+        const bool known = std::any_of(other.solids.begin(), other.solids.end(),
+                                       [&](const Solid& before) { return is_drawn_alike(solid, before); });
+        if (known || !solid.rests()) continue;
+        std::size_t inside = 0;
+        if constexpr (D == 2) {
+            const Outline outline{solid.x, solid.z};
+            for (std::size_t i = 0; i < water.size(); ++i) {
+                inside += contains(outline, water.position[0][i], water.position[1][i]) ? 1 : 0;
+            }
+        } else if (const SolidMesh* const mesh = mesh_of(c, solid)) {
+            for (std::size_t i = 0; i < water.size(); ++i) {
+                inside += mesh->contains({water.position[0][i], water.position[1][i], water.position[2][i]})
+                              ? 1
+                              : 0;
+            }
+        }
+        if (inside == 0) continue;
+        throw InputError(fmt::format(
+            "[start] file = \"{}\": {} of its {} particles of water stand in the solid \"{}\", which that run did "
+            "not have; draw the solid where no water stands, or begin anew around it (start.kind = \"rest\")",
+            file_name, inside, water.size(), solid.name));
+    }
+}
+
+template void refuse_water_in_new_solids(const Case&, const Case&, const Particles<2>&, const std::string&);
+template void refuse_water_in_new_solids(const Case&, const Case&, const Particles<3>&, const std::string&);
 
 }  // namespace riffle::inline solver

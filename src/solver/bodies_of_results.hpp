@@ -6,6 +6,7 @@
 #include "boundary/free_body.hpp"
 #include "case/case.hpp"
 #include "output/results_file.hpp"
+#include "particles/particles.hpp"
 
 namespace riffle::inline solver {
 
@@ -16,5 +17,10 @@ namespace riffle::inline solver {
 [[nodiscard]] std::vector<FreeBodyState> bodies_from_results(const Case& c, const Case& other,
                                                              const ResultsReader& results,
                                                              const std::string& file_name);
+
+/// Throws InputError where water of that run stands in a solid at rest that it did not have.
+template <int D>
+void refuse_water_in_new_solids(const Case& c, const Case& other, const Particles<D>& water,
+                                const std::string& file_name);
 
 }  // namespace riffle::inline solver

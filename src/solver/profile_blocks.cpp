@@ -254,8 +254,10 @@ Profiles ProfileSampler::average(double from, double to) const {
         result.pair_stress.push_back(pair_upper[layer]);
         result.viscous_stress.push_back(viscous_upper[layer]);
         result.total_stress.push_back(reynolds_upper + pair_upper[layer] + viscous_upper[layer]);
-        // Side walls carry a part of the weight that a twin alone knows.
-        if (twin_height != nullptr || !case_.has_side_wall_drag()) {
+        // Side walls, stems and stones carry a part of the weight that a twin alone knows.
+        const bool bed_alone =
+            !case_.has_side_wall_drag() && case_.vegetation.empty() && case_.porous.empty();
+        if (twin_height != nullptr || bed_alone) {
             const double line = rho * case_.streamwise_gravity() * (case_.total_depth() - upper);
             result.analytic_stress.push_back(twin_height != nullptr &&
                                                      upper < case_.total_depth() - 0.5 * thickness_

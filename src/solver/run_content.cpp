@@ -35,9 +35,11 @@ void add_column(Content& content, const ColumnResult& column, const Case& c) {
     number(numbers.total_mean_velocity, column.total_mean_velocity);
     number(numbers.surface_velocity, column.surface_velocity);
     number(numbers.friction_velocity, column.friction_velocity);
-    number(numbers.log_law_friction_velocity, column.log_law.friction_velocity);
-    number(numbers.equivalent_roughness, column.log_law.equivalent_roughness);
-    number(numbers.zero_plane, column.log_law.zero_plane);
+    if (column.log_law.valid) {
+        number(numbers.log_law_friction_velocity, column.log_law.friction_velocity);
+        number(numbers.equivalent_roughness, column.log_law.equivalent_roughness);
+        number(numbers.zero_plane, column.log_law.zero_plane);
+    }
     number(numbers.drag_share, column.drag_share);
     number(numbers.wall_share, column.wall_share);
     if (!c.vegetation.empty()) number(numbers.vegetation_share, column.vegetation_share);

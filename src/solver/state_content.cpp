@@ -12,6 +12,7 @@
 #include <utility>
 
 #include "base/error.hpp"
+#include "base/notice.hpp"
 #include "case/words.hpp"
 #include "record/field_content.hpp"
 #include "record/particle_fields.hpp"
@@ -302,15 +303,22 @@ Particles<D> particles_from_results(const Case& c, const Case& other, const Sche
         }
     });
     if (is_recycled(c, other)) return recycled_particles(c, scheme, other, p);
+    if (c.start.jitter > 0.0) {
+        notice(fmt::format(
+            "warning: start.jitter has no effect: the particles go on where those of {} were, at the "
+            "same spacing",
+            file_name));
+    }
     if (c.channel.ends == Ends::open) stand_between_open_ends(c, other, p);
     const Field& sound = fields::clock.sound_speed;
     const auto sound_speed = results.attribute(sound.group->path, sound.name);
     const StateEquation old{
         .kind = other.numerics.equation_of_state,
         .sound_speed = sound_speed ? std::get<double>(*sound_speed) : scheme.state.sound_speed};
+    const double denser = c.fluid.density / other.fluid.density;
     for (std::size_t i = 0; i < p.size(); ++i) {
-        // Same volume and pressure under the new equation of state.
-        const double volume_density = p.mass[i] / (1.0 + p.density_deviation[i]);
+        // Same volume and pressure (over the density) under the new equation of state and density.
+        const double volume_density = denser * p.mass[i] / (1.0 + p.density_deviation[i]);
         p.density_deviation[i] = scheme.state.deviation(old.pressure(p.density_deviation[i]));
         p.mass[i] = volume_density * (1.0 + p.density_deviation[i]);
     }
@@ -333,6 +341,7 @@ std::unique_ptr<SimulationIn<D>> simulation_from_results(const Case& c, const Co
     const Case other = parse_case(results.read_string(fields::stored_case.text.path()), file_name);
     Particles<D> particles = particles_from_results<D>(c, other, scheme, results, file_name);
     const std::vector<FreeBodyState> bodies = bodies_from_results(c, other, results, file_name);
+    refuse_water_in_new_solids(c, other, particles, file_name);
     // The walls stand where the bodies are before the water is looked at.
     if (bodies.empty()) return make_simulation<D>(c, column, std::move(particles));
     Case still = c;

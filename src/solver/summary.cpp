@@ -7,6 +7,7 @@
 
 #include "case/bed_friction.hpp"
 #include "case/flow_kind.hpp"
+#include "case/porous_zone.hpp"
 #include "case/solid_mesh.hpp"
 #include "hydraulics/channel_laws.hpp"
 #include "hydraulics/log_law.hpp"
@@ -64,7 +65,15 @@ double window_trend(const TimeSeries& series, const Field& field, double from, d
 void add_column_departures(const Case& c, const Profiles& p, Numbers& summary) {
     Norms above;
     Norms below;
+    const PorosityField field(c);
+    const auto within_stones = [&](double z) {
+        return field.porosity(0.5 * c.channel.length, 0.5 * c.channel.width, z) < 1.0;
+    };
+    // Over a layer of stones the departures are those of the open water: where the water creeps, a thousandth
+    // of the velocity is all of it.
+    const bool open_water = !std::all_of(p.z.begin(), p.z.end(), within_stones);
     for (std::size_t k = 0; k < p.z.size(); ++k) {
+        if (open_water && within_stones(p.z[k])) continue;
         if (has_wall_law(c) && p.z[k] < top_of_bed_friction(c)) {
             continue;  // rows that stand for the discharge of the law, not for its velocity
         }
@@ -95,6 +104,8 @@ double top_of_solids(const Case& c) {
 void add_stresses(const Case& c, const Profiles& p, Numbers& summary) {
     const double crest_stress = c.fluid.density * c.streamwise_gravity() * (c.total_depth() - c.crest());
     if (crest_stress <= 0.0 || p.z.size() < 6) return;
+    // Where the porosity changes along the channel the pressure pushes the grains too, in the pair forces.
+    if (porosity_varies_along(c)) return;
     const double from = std::max(top_of_bed_friction(c), top_of_solids(c));
     Norms spurious;
     Norms error;
@@ -109,7 +120,7 @@ void add_stresses(const Case& c, const Profiles& p, Numbers& summary) {
     summary.set(fields::summary.spurious_stress_rms, spurious.rms());
     summary.set(fields::summary.spurious_stress_maximum, spurious.largest);
     if (error.count > 0) summary.set(fields::summary.stress_error_rms, error.rms());
-    if (has_bodies(c) || !c.vegetation.empty()) {
+    if (has_bodies(c) || !c.vegetation.empty() || !c.porous.empty()) {
         return;  // the stress at the bed is not the one that continues the line
     }
     if (const std::optional<StressLine> line = fit_stress_line(c, p)) {

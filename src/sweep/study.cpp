@@ -77,9 +77,10 @@ void conclude(RefinementStudy& study, const Outcome& outcome, Stepping stepping)
     if (outcome.kind != OutcomeKind::value) {
         study.power_law = fit_power_law(study.values);
         // A departure that changes its sign, or scatters, follows no power of the size.
+        // Two runs do not tell whether it does.
         constexpr double widest = 1.0;
         if (outcome.kind == OutcomeKind::departure && study.power_law &&
-            study.power_law->half_width.value_or(0.0) > widest) {
+            !(study.power_law->half_width && *study.power_law->half_width <= widest)) {
             study.power_law.reset();
         }
     }

@@ -203,6 +203,25 @@ class Results(CommandLineTest):
         self.fail_with(2, "run", CASE, "-o", self.folder / "third", *SMALL, *until(0.1), *source, "--set", 'channel.length="90 mm"',
                        says=["channel.length is 0.06 m there and 0.09 m here", "several times"])
 
+    def test_a_start_from_results_has_the_density_of_its_own_case_and_no_water_in_its_solids(self):
+        import h5py
+
+        first = self.run_small("first", 0.05)
+        source = ["--set", "start.kind=results", "--set", f'start.file="{first / "results.h5"}"']
+        second = self.run_small("second", 0.02, *source, "--set", "fluid.density=900")
+        with h5py.File(first / "results.h5") as a, h5py.File(second / "results.h5") as b:
+            for name, share in (("water_volume", 1.0), ("gravity_power", 0.9)):
+                before, after = a["time_series"][name][-1], b["time_series"][name][0]
+                self.assertAlmostEqual(after / before, share, delta=0.02, msg=name)
+        # A key that does nothing is told of, and a solid that stands where the water is refuses the start.
+        told = self.succeed("run", CASE, "-o", self.folder / "third", *SMALL, *until(0.02), *source, "--set", "start.jitter=0.1")
+        self.assertIn("start.jitter has no effect", told.stderr)
+        case = self.folder / "with-plate.toml"
+        case.write_text(CASE.read_text() + '\n[[solid]]\nname = "plate"\nx = ["10 mm", "30 mm", "30 mm", "10 mm"]\n'
+                        'z = ["0 mm", "0 mm", "20 mm", "20 mm"]\n')
+        self.fail_with(2, "run", case, "-o", self.folder / "fourth", *SMALL, *until(0.02), *source,
+                       says=['particles of water stand in the solid "plate"', "[start] file"])
+
     def test_free_bodies_go_on_from_where_the_results_leave_them(self):
         import h5py
         import numpy

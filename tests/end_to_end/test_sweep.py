@@ -57,6 +57,10 @@ class Sweep(CommandLineTest):
     def test_the_same_command_again_changes_no_run(self):
         command = ["sweep", CASE, "--vary", "numerics.spacing=4mm,3mm", *TINY, "-o", self.sweep, "-q"]
         self.succeed(*command)
+        # Two runs leave no scatter by which to know an order of departures.
+        findings = [study["finding"] for study in self.summary()["refinements"]]
+        self.assertIn("an order of convergence needs three", " ".join(findings))
+        self.assertNotIn("fitted order", " ".join(findings))
         before = {path: data for path, data in kept_files(self.sweep).items() if path.parent != self.sweep}
         self.succeed(*command, "--outcome", "mean_level", "--outcome", "drag_over_gravity")
         self.assertEqual(before, {path: data for path, data in kept_files(self.sweep).items() if path.parent != self.sweep})

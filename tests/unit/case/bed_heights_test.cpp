@@ -125,6 +125,19 @@ TEST(BedHeights, PointsAreAGridInAnyOrder) {
     EXPECT_EQ(a.step_y, b.step_y);
 }
 
+// Cells of 10/3 mm written to a tenth of a millimetre stand on a regular grid.
+TEST(BedHeights, PlacesThatWereRoundedAreAGrid) {
+    std::string points;
+    for (int j = 0; j < 4; ++j) {
+        for (int i = 0; i < 200; ++i) {
+            points += fmt::format("{:.1f} {:.1f} {}\n", i / 0.3, j / 0.3, 1 + i % 2);
+        }
+    }
+    const HeightGrid grid = parse_height_grid(points, "third.xyz");
+    EXPECT_NEAR(grid.step_x, 10.0 / 3.0, 1e-3);
+    EXPECT_EQ(grid.z.size(), 800U);
+}
+
 TEST(BedHeights, HolesAreFilledFromTheirEdgesAndTold) {
     const std::string gap = asc(30, 20, 2.0, [](double x, double y) {
         return std::hypot(x - 31.0, y - 21.0) < 0.1 ? -9999.0 : plane(x, y);
@@ -220,6 +233,8 @@ TEST(BedHeights, FaultsOfFilesNameTheLine) {
                 HasSubstr("a.asc:5: expected ncols"));
     EXPECT_THAT(file_fault("", "a.asc"), HasSubstr("cellsize"));
     EXPECT_THAT(file_fault("0 0 1\n1 0 1\n0 1 1\n1 1\n", "a.xyz"), HasSubstr("a.xyz:4: expected 3 numbers"));
+    EXPECT_THAT(file_fault("x [mm],y [mm],z [mm]\n0,0,1\n1,0,1\n", "a.csv"),
+                HasSubstr("a.csv:1: expected columns of the names x, y, z without units"));
     EXPECT_THAT(file_fault("0,5;0;1\n", "a.csv"), HasSubstr("decimals have a point"));
     EXPECT_THAT(file_fault("x,y,h\n0,0,1\n", "a.csv"), HasSubstr("`z` is missing"));
     EXPECT_THAT(file_fault("0 0 1\n1 0 1\n0 1 1\n1 1 1\n1 1 2\n", "a.xyz"),

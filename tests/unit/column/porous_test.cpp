@@ -7,6 +7,7 @@
 
 #include "column/column.hpp"
 #include "column/section.hpp"
+#include "column/twin_channel.hpp"
 #include "roughness/porous_resistance.hpp"
 
 namespace riffle::porous_column_test {
@@ -130,6 +131,25 @@ TEST(PorousSection, PassesMoreWaterBesideThanWithinABank) {
     EXPECT_GT(means[columns - 1], 3.0 * means[0]);
     EXPECT_GT(section.porous_share, 0.1);
     EXPECT_NEAR(section.porous_share + section.drag_share, 1.0, 1e-6);
+}
+
+// Darcy's flow through the whole depth: the discharge is that of the water, K g S/nu h, and a wave in the
+// pores meets water of the velocity q/(n h), so that the momentum and energy coefficients are those of it.
+TEST(PorousColumn, CarriesTheDischargeOfTheWater) {
+    Case c = over_layer(0.2, 0.0);
+    c.bed.kind = BedKind::slip;
+    c.porous.front().z_to.reset();
+    c.fluid.kinematic_viscosity = 1e-4;
+    c.porous.front().permeability = 1e-8;
+    const double darcy = c.streamwise_gravity() * 1e-8 / 1e-4;
+    EXPECT_NEAR(uniform_unit_discharge(c), darcy * c.channel.depth, 1e-6 * darcy);
+    const SteadyChannel channel = twin_channel(c, uniform_unit_discharge(c));
+    EXPECT_NEAR(*normal_depth(channel), c.channel.depth, 1e-5);
+    const double squared = 0.6 * 0.6;
+    EXPECT_NEAR(channel.momentum_coefficient(c.channel.depth), 1.0 / squared, 1e-3);
+    EXPECT_NEAR(channel.state(c.channel.depth).energy_coefficient, 1.0 / squared, 1e-3);
+    const ColumnResult column = solve_column(c);
+    EXPECT_NEAR(column.surface_velocity, darcy / 0.6, 1e-3 * darcy);
 }
 
 }  // namespace

@@ -154,7 +154,7 @@ TEST_F(ResultsErrors, TheDamagedRowsAreNamed) {
     const std::string message = file_error_of([&] { ResultsReader(folder / "r.h5").verify(); });
     EXPECT_THAT(message,
                 AllOf(HasSubstr("1 of its pages"), HasSubstr("Lost: "), HasSubstr(" of /surface/elevation"),
-                      HasSubstr("the rest is whole"), HasSubstr("riffle verify")));
+                      HasSubstr("the rest is whole"), testing::Not(HasSubstr("riffle verify"))));
     EXPECT_THAT(message, testing::Not(HasSubstr("/particles/position")));
 }
 

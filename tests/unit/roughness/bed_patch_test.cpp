@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include "plane_bed.hpp"
+#include "roughness/covered_bed.hpp"
 #include "roughness/particle_bed_drag.hpp"
 
 namespace riffle::bed_patch_test {
@@ -115,6 +116,31 @@ TEST(BedPatch, AtAnEndIsTheBedOfTheTwinThere) {
     EXPECT_EQ(with_bed_at(c, 2.0).bed.equivalent_roughness, 0.001);
     ASSERT_NE(patch_beside(c, 2.0), nullptr);
     EXPECT_EQ(patch_beside(c, 2.0)->name, "gravel");
+}
+
+// Water over a sill does not meet the bed below it; beside the sill, and under a deck, it does. One higher
+// than the drag reaches changes nothing, and the drag is the same object.
+TEST(BedPatch, SolidsCoverTheBed) {
+    Case c = sand();
+    Solid sill;
+    sill.name = "sill";
+    sill.x = {0.5, 1.0, 1.0, 0.5};
+    sill.z = {0.0, 0.0, 0.02, 0.02};
+    Solid deck = sill;
+    deck.name = "deck";
+    deck.x = {1.5, 1.8, 1.8, 1.5};
+    deck.z = {0.15, 0.15, 0.18, 0.18};
+    c.solids = {sill, deck};
+    const auto open = make_particle_bed_drag(sand(), row);
+    const auto drag = drag_beside_solids(c, make_particle_bed_drag(c, row));
+    for (const double z : {0.022, 0.03}) {
+        EXPECT_EQ(drag->coefficient_at(0.7, 0.0, z), 0.0);
+        EXPECT_EQ(drag->coefficient_at(0.495, 0.0, z), open->coefficient(z));
+        EXPECT_EQ(drag->coefficient_at(1.6, 0.0, z), open->coefficient(z));
+    }
+    EXPECT_GT(open->coefficient(0.022), 0.0);
+    c.solids.front().z = {0.0, 0.0, 0.1, 0.1};
+    EXPECT_FALSE(drag_beside_solids(c, make_particle_bed_drag(c, row))->varies_in_plan());
 }
 
 }  // namespace
