@@ -49,7 +49,7 @@ def turbulence(study):
     check = Check("open_turbulence", "Turbulence that enters",
                   "Condition 2 with resolved eddies: a channel nine depths long that the water of a periodic reach enters keeps its mean flow and its eddies.")
     reach = study.run("open_turbulence_reach", "cases/rough-bed-3d/resolved-eddies.toml",
-                      {"run.until": f'"{UNTIL:g} s"', "output.snapshot_interval": '"0.2 s"', "numerics.density_relaxation": "0"})  # as in the channel
+                      {"numerics.spacing": '"3 mm"', "run.until": f'"{UNTIL:g} s"', "output.snapshot_interval": '"0.2 s"', "numerics.density_relaxation": "0"})  # as in the channel
     series = reach.series
     late = series["time"] > RECORDED_FROM
     q = float((series["total_mean_velocity"] * series["mean_level"])[late].mean())

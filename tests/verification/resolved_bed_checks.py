@@ -155,9 +155,9 @@ def resolved_bed(study):
                   "Cells some three depths long and 1.7 wide: flow condition 2 over the drag of the spheres at their places, and over the spheres as solid bodies, "
                   "without a coefficient; flow condition 5 over the drag. Measured: depth-mean velocity, u*, k_s and the surface of the flume (thesis, Table 3.1); "
                   "intensities: Nezu's laws.")
-    long = {"run.until": '"62 s"', "run.average_from": '"20 s"', "output.snapshot_interval": '"5 s"', "output.mean_field_interval": '"20 s"'}
+    long = {"run.until": '"50 s"', "run.average_from": '"20 s"'}
     folder = "cases/rough-bed-3d/"
-    beds = [Bed(study, "resolved_bed-drag", "condition 2, drag", folder + "resolved-eddies.toml", long, (20, 62), 6e-3, 10e-3, CONDITION_2),
+    beds = [Bed(study, "resolved_bed-drag", "condition 2, drag", folder + "resolved-eddies.toml", long, (20, 50), 6e-3, 10e-3, CONDITION_2),
             Bed(study, "resolved_bed-spheres", "condition 2, solid spheres", folder + "resolved-spheres.toml", {"run.until": '"62 s"'}, (20, 62), 8.5e-3, 12.5e-3,
                 CONDITION_2),
             Bed(study, "resolved_bed-condition_5", "condition 5, drag", folder + "resolved-condition-5.toml", {}, (36, 70), 6e-3, 10e-3, CONDITION_5)]

@@ -207,7 +207,7 @@ SHARES = {"scheme": "what the scheme itself adds", "pressure": "pressure of the 
 
 def _energy_shares(study, name, settings):
     """Run of the resolved channel, and the parts of its energy budget over the input, from `riffle analyse`."""
-    run = study.run(name, "cases/rough-bed-3d/resolved-eddies.toml", {"run.until": '"8 s"', "run.average_from": '"3 s"', **settings})
+    run = study.run(name, "cases/rough-bed-3d/resolved-eddies.toml", {"numerics.spacing": '"3 mm"', "run.until": '"8 s"', "run.average_from": '"3 s"', **settings})
     findings = study.findings(run)
     return run, {part: findings[f"energy_share_{part}"] for part in SHARES}
 
