@@ -59,7 +59,7 @@ class EndSound {
                          gravity * depth, dt);
     }
 
-    /// Pressure over the density of the sound at a particle beyond an end, now or a step ago.
+    /// Pressure over the density of the sound at a particle beyond an end, or its change in the last step.
     [[nodiscard]] double at(const Flow& flow, std::size_t end, const std::vector<double>& nodes,
                             std::size_t i, double height, const EndState& section) const {
         const OutgoingSound& outgoing = end == 0 ? upstream_ : downstream_;

@@ -256,9 +256,9 @@ class OpenEnds final : public Component<D, Real> {
         Vec<D> u = vector_of(flow.particles.velocity, i);
         for (std::size_t k = 0; k < Flow::axes; ++k) u[k] = wanted[k] + kept * (u[k] - wanted[k]);
         const OpenEndsState& state = flow.clock.open_ends;
-        const double before = sound_.at(flow, 1, state.sound_downstream.before, i, over_floor(flow, i, false),
+        const double change = sound_.at(flow, 1, state.sound_downstream.change, i, over_floor(flow, i, false),
                                         state.downstream);
-        u[0] += sound_.velocity_of(1, sound_at(flow, i, false) - before);
+        u[0] += sound_.velocity_of(1, change);
         return u;
     }
 

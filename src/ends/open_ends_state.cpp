@@ -91,7 +91,7 @@ OpenEndsState OpenEndsState::from(const std::vector<double>& numbers) {
 std::vector<double> OpenEndsState::sound_numbers() const {
     std::vector<double> all;
     for (const SoundBeyondEnd* const sound : {&sound_upstream, &sound_downstream}) {
-        for (const auto* const values : {&sound->slow, &sound->now, &sound->before}) {
+        for (const auto* const values : {&sound->slow, &sound->now, &sound->change}) {
             all.push_back(static_cast<double>(values->size()));
             all.insert(all.end(), values->begin(), values->end());
         }
@@ -102,7 +102,7 @@ std::vector<double> OpenEndsState::sound_numbers() const {
 void OpenEndsState::take_sound(const std::vector<double>& numbers) {
     std::size_t next = 0;
     for (SoundBeyondEnd* const sound : {&sound_upstream, &sound_downstream}) {
-        for (auto* const values : {&sound->slow, &sound->now, &sound->before}) {
+        for (auto* const values : {&sound->slow, &sound->now, &sound->change}) {
             const std::size_t count = next < numbers.size() ? count_of(numbers[next]) : numbers.size();
             if (next >= numbers.size() || count > numbers.size() - next - 1) {
                 throw std::invalid_argument("the sound at the open ends is cut off");

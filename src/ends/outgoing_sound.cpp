@@ -51,7 +51,7 @@ void OutgoingSound::advance(SoundBeyondEnd& sound, double speed, double slow_tim
                             double dt) {
     sound.slow.resize(bins(), 0.0);
     sound.now.resize(bins() * nodes_, 0.0);
-    sound.before = sound.now;
+    sound.change = sound.now;
     const double courant = std::max(0.0, speed) * dt / grid_.spacing;
     const int parts = std::max(1, static_cast<int>(std::ceil(courant)));
     for (int part = 0; part < parts; ++part) carry(sound.now, courant / parts);
@@ -65,6 +65,7 @@ void OutgoingSound::advance(SoundBeyondEnd& sound, double speed, double slow_tim
         }
         sound.now[b * nodes_] = fast;
     }
+    for (std::size_t k = 0; k < sound.now.size(); ++k) sound.change[k] = sound.now[k] - sound.change[k];
 }
 
 /// One step of Lax & Wendroff's scheme, at the last node upwind.
@@ -87,7 +88,7 @@ double OutgoingSound::at(const std::vector<double>& nodes, double distance, cons
     const auto node = std::min(static_cast<std::size_t>(along), nodes_ - 2);
     const double part = along - static_cast<double>(node);
     const Between upright = between(place.upright, grid_.bins_upright);
-    const Between across = between(place.across, grid_.bins_across);
+    const Between across = grid_.bins_across > 1 ? between(place.across, grid_.bins_across) : Between{};
     const auto of_bin = [&](int up, int side) {
         const double* const f = nodes.data() + bin(up, side) * nodes_ + node;
         return f[0] + part * (f[1] - f[0]);
@@ -97,6 +98,7 @@ double OutgoingSound::at(const std::vector<double>& nodes, double distance, cons
         return low + upright.share * (of_bin(upright.high, side) - low);
     };
     const double low = of_file(across.low);
+    if (across.share == 0.0) return low;  // in two dimensions always
     return low + across.share * (of_file(across.high) - low);
 }
 

@@ -11,7 +11,7 @@ struct SoundBeyondEnd {
     std::vector<double>
         slow;                 ///< of each bin: the pressure before the end over that of the section, smoothed
     std::vector<double> now;  ///< of each bin along its nodes, from inside of the channel outwards
-    std::vector<double> before;  ///< the same a step ago
+    std::vector<double> change;  ///< of the same in the last step
 
     bool operator==(const SoundBeyondEnd&) const = default;
 };
@@ -48,7 +48,7 @@ class OutgoingSound {
     /// has none.
     void advance(SoundBeyondEnd& sound, double speed, double slow_time, double full, double most, double dt);
 
-    /// Pressure over the density at a distance (m) from where the water is gathered, now or a step ago.
+    /// Pressure over the density, or its change, at a distance (m) from where the water is gathered.
     [[nodiscard]] double at(const std::vector<double>& nodes, double distance, const Place& place) const;
 
     [[nodiscard]] std::size_t bins() const { return weight_.size(); }

@@ -104,7 +104,7 @@ TEST(InflowStreams, AStateIsTheSameAfterItsNumbers) {
     EXPECT_EQ(OpenEndsState::from(inflow.state.numbers()), inflow.state);
     EXPECT_TRUE(OpenEndsState().numbers().empty());
     OpenEndsState loud = inflow.state;
-    loud.sound_upstream = {.slow = {0.1}, .now = {0.2, 0.3}, .before = {0.4, 0.5}};
+    loud.sound_upstream = {.slow = {0.1}, .now = {0.2, 0.3}, .change = {0.4, 0.5}};
     loud.sound_downstream.now = {0.6};
     std::vector<double> sound = loud.sound_numbers();
     OpenEndsState back = inflow.state;
