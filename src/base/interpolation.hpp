@@ -33,4 +33,11 @@ struct TablePlace {
     return {i - 1, i, (at - x[i - 1]) / (x[i] - x[i - 1])};
 }
 
+/// The same among `count` values evenly apart, counted in them from the first one.
+[[nodiscard]] inline TablePlace place_among(double at, std::size_t count) {
+    const double inside = std::clamp(at, 0.0, static_cast<double>(count - 1));
+    const auto low = static_cast<std::size_t>(inside);
+    return {low, std::min(low + 1, count - 1), inside - static_cast<double>(low)};
+}
+
 }  // namespace riffle::inline base

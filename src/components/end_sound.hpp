@@ -38,23 +38,18 @@ class EndSound {
         OutgoingSound& outgoing = end == 0 ? upstream_ : downstream_;
         const double gravity = flow.scheme.normal_gravity;
         outgoing.clear();
-        double full = 0.0;
-        if (section.depth > least_depth_) {
-            const Particles<D>& p = flow.particles;
-            for (const std::size_t i : watch.near(end)) {
-                const double x = end == 0 ? p.position[0][i] : length_ - p.position[0][i];
-                const double hat = watch.hat_at(x);
-                if (hat <= 0.0) continue;
-                outgoing.add(place(flow, i, height_of(i), section), hat * p.mass[i],
-                             flow.scheme.state.pressure(p.density_deviation[i]) - pressure_of(i));
-            }
-            full =
-                flow.scheme.density * half_ * width_ * section.depth / static_cast<double>(outgoing.bins());
-        } else {
-            full = 1.0;  // nothing is gathered
-        }
-        const double along = end == 0 ? -section.velocity : section.velocity;
         const double depth = std::max(section.depth, least_depth_);
+        for (const std::size_t i : watch.near(end)) {
+            if (section.depth <= least_depth_) break;  // a film has none
+            const Particles<D>& p = flow.particles;
+            const double hat = watch.hat_at(end == 0 ? p.position[0][i] : length_ - p.position[0][i]);
+            if (hat <= 0.0) continue;
+            outgoing.add(place(flow, i, height_of(i), section), hat * p.mass[i],
+                         flow.scheme.state.pressure(p.density_deviation[i]) - pressure_of(i));
+        }
+        const double full =
+            flow.scheme.density * half_ * width_ * depth / static_cast<double>(outgoing.bins());
+        const double along = end == 0 ? -section.velocity : section.velocity;
         outgoing.advance(sound, sound_speed_ / cosine + along, std::sqrt(depth / gravity), full,
                          gravity * depth, dt);
     }

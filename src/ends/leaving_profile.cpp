@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/interpolation.hpp"
+
 namespace riffle::inline ends {
 
 void LeavingProfile::clear(const OpenEndsState& state) {
@@ -28,12 +30,8 @@ void LeavingProfile::finish(OpenEndsState& state, double speed, double dt) {
 
 double LeavingProfile::at(const OpenEndsState& state, double place) const {
     // Straight lines between the middles of the bins.
-    const double last = static_cast<double>(state.leaving.size()) - 1.0;
-    const double at = std::clamp(place * (last + 1.0) - 0.5, 0.0, last);
-    const auto low = static_cast<std::size_t>(at);
-    const std::size_t high = std::min(low + 1, state.leaving.size() - 1);
-    const double profile =
-        state.leaving[low] + (at - static_cast<double>(low)) * (state.leaving[high] - state.leaving[low]);
+    const std::size_t bins = state.leaving.size();
+    const double profile = place_among(place * static_cast<double>(bins) - 0.5, bins).in(state.leaving);
     const double velocity = factor_ * profile + shift_;
     return state.downstream.velocity >= 0.0 ? std::max(0.0, velocity) : velocity;
 }

@@ -3,24 +3,20 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/interpolation.hpp"
+
 namespace riffle::inline ends {
 
 namespace {
 
-/// The two bins whose middles a place lies between, and the share of the second.
-struct Between {
-    int low = 0;
-    int high = 0;
-    double share = 0.0;
-};
-
-Between between(double place, int bins) {
-    const double at = std::clamp(place * bins - 0.5, 0.0, bins - 1.0);
-    const int low = static_cast<int>(at);
-    return {low, std::min(low + 1, bins - 1), at - low};
+/// The place of one from 0 to 1 among the middles of bins.
+TablePlace between(double place, int bins) {
+    return place_among(place * bins - 0.5, static_cast<std::size_t>(bins));
 }
 
-int bin_at(double place, int bins) { return static_cast<int>(std::clamp(place * bins, 0.0, bins - 0.5)); }
+std::size_t bin_at(double place, int bins) {
+    return static_cast<std::size_t>(std::clamp(place * bins, 0.0, bins - 0.5));
+}
 
 }  // namespace
 
@@ -30,9 +26,8 @@ OutgoingSound::OutgoingSound(const Grid& grid)
       weight_(static_cast<std::size_t>(grid.bins_upright) * static_cast<std::size_t>(grid.bins_across)),
       pressure_(weight_.size()) {}
 
-std::size_t OutgoingSound::bin(int upright, int across) const {
-    return static_cast<std::size_t>(across) * static_cast<std::size_t>(grid_.bins_upright) +
-           static_cast<std::size_t>(upright);
+std::size_t OutgoingSound::bin(std::size_t upright, std::size_t across) const {
+    return across * static_cast<std::size_t>(grid_.bins_upright) + upright;
 }
 
 void OutgoingSound::clear() {
@@ -84,16 +79,13 @@ void OutgoingSound::carry(std::vector<double>& nodes, double courant) const {
 
 double OutgoingSound::at(const std::vector<double>& nodes, double distance, const Place& place) const {
     if (nodes.empty()) return 0.0;
-    const double along = std::clamp(distance / grid_.spacing, 0.0, static_cast<double>(nodes_) - 1.0);
-    const auto node = std::min(static_cast<std::size_t>(along), nodes_ - 2);
-    const double part = along - static_cast<double>(node);
-    const Between upright = between(place.upright, grid_.bins_upright);
-    const Between across = grid_.bins_across > 1 ? between(place.across, grid_.bins_across) : Between{};
-    const auto of_bin = [&](int up, int side) {
-        const double* const f = nodes.data() + bin(up, side) * nodes_ + node;
-        return f[0] + part * (f[1] - f[0]);
+    const TablePlace along = place_among(distance / grid_.spacing, nodes_);
+    const TablePlace upright = between(place.upright, grid_.bins_upright);
+    const TablePlace across = grid_.bins_across > 1 ? between(place.across, grid_.bins_across) : TablePlace{};
+    const auto of_bin = [&](std::size_t up, std::size_t side) {
+        return along.in(nodes.data() + bin(up, side) * nodes_);
     };
-    const auto of_file = [&](int side) {
+    const auto of_file = [&](std::size_t side) {
         const double low = of_bin(upright.low, side);
         return low + upright.share * (of_bin(upright.high, side) - low);
     };

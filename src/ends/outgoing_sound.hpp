@@ -54,7 +54,7 @@ class OutgoingSound {
     [[nodiscard]] std::size_t bins() const { return weight_.size(); }
 
   private:
-    [[nodiscard]] std::size_t bin(int upright, int across) const;
+    [[nodiscard]] std::size_t bin(std::size_t upright, std::size_t across) const;
     void carry(std::vector<double>& nodes, double courant) const;
 
     Grid grid_;

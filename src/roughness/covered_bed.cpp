@@ -7,90 +7,54 @@
 #include <vector>
 
 #include "case/stem_feet.hpp"
+#include "roughness/plan_table.hpp"
 
 namespace riffle::inline roughness {
 
 namespace {
 
-/// Which part of the bed solids at rest cover: looked up once in the middles of cells half a spacing wide,
-/// linear between them.
-class Cover {
-  public:
-    Cover(const Case& c, double reach) {
-        const double half = 0.5 * c.numerics.spacing;
-        const auto axis = [half](double extent) {
-            const double cells = std::max(1.0, std::round(extent / half));
-            return Axis{extent / cells, static_cast<std::size_t>(cells)};
-        };
-        along_ = axis(c.channel.length);
-        across_ = c.channel.dimensions == 3 ? axis(c.channel.width) : Axis{1.0, 1};
-        share_.assign(along_.cells * across_.cells, 0.0);
-        for (const Solid& solid : c.solids) {
-            if (!solid.rests()) continue;
-            for (std::size_t j = 0; j < across_.cells; ++j) {
-                for (std::size_t i = 0; i < along_.cells; ++i) {
-                    const auto extent = solid_extent(c, solid, along_.middle(i),
-                                                     c.channel.dimensions == 3 ? across_.middle(j) : 0.0);
-                    // One that hangs over the bed covers nothing, and over a film less than half a spacing
-                    // thick the water is that of the bed.
-                    if (!extent || extent->low > half || extent->high < half) continue;
-                    share_[j * along_.cells + i] = 1.0;
-                    matters_ = matters_ || extent->high < reach;
-                }
+/// Share of the bed that solids at rest cover: looked up once in the middles of cells half a spacing wide.
+struct Cover {
+    PlanTable share;
+    bool matters = false;  ///< whether a solid is so low that water above it lies in the reach of the drag
+};
+
+Cover cover_of(const Case& c, double reach) {
+    const double half = 0.5 * c.numerics.spacing;
+    const auto middles = [half](double extent) {
+        const double cells = std::max(1.0, std::round(extent / half));
+        return PlanTable::Axis{0.5 * extent / cells, extent / cells, static_cast<std::size_t>(cells)};
+    };
+    const auto along = middles(c.channel.length);
+    const auto across = c.channel.dimensions == 3 ? middles(c.channel.width) : PlanTable::Axis{};
+    std::vector<double> share(along.count * across.count, 0.0);
+    bool matters = false;
+    for (const Solid& solid : c.solids) {
+        if (!solid.rests()) continue;
+        for (std::size_t j = 0; j < across.count; ++j) {
+            for (std::size_t i = 0; i < along.count; ++i) {
+                const auto extent = solid_extent(c, solid, along.at(i), across.at(j));
+                // One that hangs over the bed covers nothing, and over a film less than half a spacing thick
+                // the water is that of the bed.
+                if (!extent || extent->low > half || extent->high < half) continue;
+                share[j * along.count + i] = 1.0;
+                matters = matters || extent->high < reach;
             }
         }
     }
-
-    /// Whether a solid is so low that water above it lies in the reach of the drag.
-    [[nodiscard]] bool matters() const { return matters_; }
-
-    [[nodiscard]] double at(double x, double y) const {
-        const Between i = along_.between(x);
-        const Between j = across_.between(y);
-        const auto on_line = [&](std::size_t line) {
-            const double* const values = &share_[line * along_.cells];
-            return values[i.low] + i.share * (values[i.high] - values[i.low]);
-        };
-        const double here = on_line(j.low);
-        return here + j.share * (on_line(j.high) - here);
-    }
-
-  private:
-    struct Between {
-        std::size_t low = 0;
-        std::size_t high = 0;
-        double share = 0.0;
-    };
-    struct Axis {
-        double step = 1.0;
-        std::size_t cells = 1;
-
-        [[nodiscard]] double middle(std::size_t cell) const {
-            return (static_cast<double>(cell) + 0.5) * step;
-        }
-        [[nodiscard]] Between between(double place) const {
-            const double at = std::clamp(place / step - 0.5, 0.0, static_cast<double>(cells - 1));
-            const auto low = static_cast<std::size_t>(at);
-            return {low, std::min(low + 1, cells - 1), at - static_cast<double>(low)};
-        }
-    };
-
-    Axis along_;
-    Axis across_;
-    std::vector<double> share_;  ///< [across, along]
-    bool matters_ = false;
-};
+    return {{along, across, std::move(share)}, matters};
+}
 
 class CoveredDrag final : public BedDrag {
   public:
-    CoveredDrag(std::unique_ptr<const BedDrag> drag, Cover cover)
-        : drag_(std::move(drag)), cover_(std::move(cover)) {}
+    CoveredDrag(std::unique_ptr<const BedDrag> drag, PlanTable covered)
+        : drag_(std::move(drag)), covered_(std::move(covered)) {}
 
     [[nodiscard]] double coefficient(double z) const override { return drag_->coefficient(z); }
     [[nodiscard]] double top() const override { return drag_->top(); }
     [[nodiscard]] bool varies_in_plan() const override { return true; }
     [[nodiscard]] double coefficient_at(double x, double y, double z) const override {
-        const double open = 1.0 - cover_.at(x, y);
+        const double open = 1.0 - covered_.at(x, y);
         return open > 0.0 ? open * drag_->coefficient_at(x, y, z) : 0.0;
     }
     [[nodiscard]] bool varies_with_speed() const override { return drag_->varies_with_speed(); }
@@ -103,16 +67,16 @@ class CoveredDrag final : public BedDrag {
 
   private:
     std::unique_ptr<const BedDrag> drag_;
-    Cover cover_;
+    PlanTable covered_;
 };
 
 }  // namespace
 
 std::unique_ptr<const BedDrag> drag_beside_solids(const Case& c, std::unique_ptr<const BedDrag> drag) {
     if (!drag || c.solids.empty()) return drag;
-    Cover cover(c, drag->top());
-    if (!cover.matters()) return drag;
-    return std::make_unique<CoveredDrag>(std::move(drag), std::move(cover));
+    Cover cover = cover_of(c, drag->top());
+    if (!cover.matters) return drag;
+    return std::make_unique<CoveredDrag>(std::move(drag), std::move(cover.share));
 }
 
 }  // namespace riffle::inline roughness

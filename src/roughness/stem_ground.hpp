@@ -1,10 +1,7 @@
 #pragma once
 
-#include <array>
-#include <cstddef>
-#include <vector>
-
 #include "case/case.hpp"
+#include "roughness/plan_table.hpp"
 
 namespace riffle::inline roughness {
 
@@ -16,33 +13,10 @@ class StemGround {
 
     /// Height at a place in plan, m; 0 everywhere where the stems stand on the bed. Outside of the patch that
     /// of its edge.
-    [[nodiscard]] double at(double x, double y) const {
-        if (height_.empty()) return 0.0;
-        const Place along = place(x, 0);
-        const Place across = place(y, 1);
-        const auto on_line = [&](std::size_t line) {
-            const double* const values = &height_[line * axes_[0].count];
-            return values[along.cell] + along.share * (values[along.next] - values[along.cell]);
-        };
-        const double here = on_line(across.cell);
-        return here + across.share * (on_line(across.next) - here);
-    }
+    [[nodiscard]] double at(double x, double y) const { return height_.empty() ? 0.0 : height_.at(x, y); }
 
   private:
-    struct Axis {
-        double from = 0.0;
-        double step = 1.0;
-        std::size_t count = 1;
-    };
-    struct Place {
-        std::size_t cell = 0;
-        std::size_t next = 0;
-        double share = 0.0;
-    };
-    [[nodiscard]] Place place(double at, std::size_t axis) const;
-
-    std::array<Axis, 2> axes_{};
-    std::vector<double> height_;  ///< [across, along], m
+    PlanTable height_;  ///< m
 };
 
 }  // namespace riffle::inline roughness
