@@ -161,15 +161,18 @@ CheckList motion_refusals() {
     return {
         {
             {{"solid.velocity_y", "solid.amplitude_y", "solid.shifts_y", "solid.spring_y",
-              "solid.rotation_axis", "channel.dimensions"},
-             "`velocity_y`, `amplitude_y`, `shifts_y`, `spring_y` or `rotation_axis` in two dimensions",
+              "solid.rotation_axis", "solid.moves_y", "solid.turns_x", "solid.turns_z", "channel.dimensions"},
+             "`velocity_y`, `amplitude_y`, `shifts_y`, `spring_y`, `rotation_axis`, or `false` for `moves_y`, `turns_x` or `turns_z`, in two dimensions",
              "nothing moves across a plane",
              "remove the key, or set [channel] dimensions = 3",
              [](const Case& c, const Solid& solid) {
                  const bool across = solid.velocity_y != 0.0 || solid.amplitude_y != 0.0 ||
                                      solid.spring_y != 0.0 || !solid.shifts_y.empty() ||
                                      !solid.rotation_axis.empty();
-                 return found_if(!in_space(c) && across, "moves across the channel");
+                 if (!in_space(c) && across) return found_if(true, "moves across the channel");
+                 const bool held = !solid.moves_y || !solid.turns_x || !solid.turns_z;
+                 return found_if(!in_space(c) && held,
+                                 "is held across the channel or about an axis along its plane");
              }},
             {{"solid.motion"},
              "`motion = \"constant\"` without a velocity",

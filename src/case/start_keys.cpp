@@ -90,7 +90,8 @@ SectionKeys start_keys() {
             .unset_by(
                 "auto",
                 "a quarter of the friction velocity over spheres in two dimensions, where the flow then "
-                "starts in the state that lasts; 0 elsewhere"));
+                "starts in the state that lasts; all of it where eddies are resolved, two thirds of its energy "
+                "those of streaks along the flow, which make eddies; 0 elsewhere"));
     s.keys.push_back(key("seed", &Start::seed, "Seed of the random displacement and of the perturbation.")
                          .at_least(0)
                          .at_most(9007199254740991.0)

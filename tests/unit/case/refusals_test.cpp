@@ -284,6 +284,7 @@ std::vector<Wrong> wrong_solids() {
         {with_two_solids(), "solid[1].x = [0.08, 0.12, 0.12, 0.08]"},
         {with_solid(),
          "solid[0].motion = constant; solid[0].velocity_x = 1 mm/s; solid[0].velocity_y = 1 mm/s"},
+        {with_free_body(), "solid[0].turns_x = false"},
         {with_solid(), "solid[0].motion = table; solid[0].times = [0, 1]; solid[0].shifts_x = [0.01, 0.02]"},
         {with_shape(SolidShape::box),
          "solid[0].motion = constant; solid[0].angular_velocity = 1; solid[0].rotation_axis = [0, 0, 0]"},
