@@ -117,6 +117,39 @@ TEST(Kinds, WaterThatHasSwollenBeforeTheWindowIsNotGood) {
     }
 }
 
+// The pressure pushes the grains at the ends of a zone as well, which no run records: what is missing there
+// is no fault, and what the stones take is not the bed's.
+TEST(Kinds, StonesThatEndAlongTheChannelAreNotMissedByTheBudget) {
+    for (const auto& [end, mark] : {std::pair{0.06, Health::none}, {0.12, Health::bad}}) {
+        ReportData data = channel();
+        data.flow.channel.length = 0.12;
+        Porous& stones = data.flow.porous.emplace_back();
+        stones.name = "stones";
+        stones.x_from = 0.0;
+        stones.x_to = end;
+        stones.z_to = 0.02;
+        data.summary.set(fields::summary.drag_over_gravity, 0.2);
+        data.summary.set(fields::summary.porous_over_gravity, 0.5);
+        data.column.set(fields::column_numbers.friction_velocity, 0.031);
+        const std::vector<Diagnostic> rows = diagnose(data, {});
+        ASSERT_NE(row(rows, "force_budget"), nullptr);
+        EXPECT_EQ(row(rows, "force_budget")->value, "70.00 %");
+        EXPECT_EQ(row(rows, "force_budget")->mark, mark) << end;
+    }
+}
+
+TEST(Kinds, AGrowthThatItsIntervalDoesNotKnowFromNoneIsNotShownAsANumber) {
+    Analysis analysis;
+    analysis.findings = {finding("effective_samples", 42), finding("velocity_fluctuation_growth", 18545.0)};
+    analysis.findings.back().half_width = 20000.0;
+    const std::vector<Diagnostic> unknown = diagnose(channel(), analysis);
+    ASSERT_NE(row(unknown, "fluctuation_growth"), nullptr);
+    EXPECT_THAT(row(unknown, "fluctuation_growth")->value, HasSubstr("not told apart"));
+    EXPECT_EQ(row(unknown, "fluctuation_growth")->mark, Health::good);
+    analysis.findings.back().half_width = 100.0;
+    EXPECT_EQ(row(diagnose(channel(), analysis), "fluctuation_growth")->mark, Health::bad);
+}
+
 TEST(Kinds, BodiesBookTheirDragAndHaveNoTwin) {
     ReportData data = channel();
     Solid& step = data.flow.solids.emplace_back();
