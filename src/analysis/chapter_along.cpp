@@ -27,6 +27,7 @@ namespace {
 /// Time means along the channel.
 struct LongProfile {
     std::vector<double> x, level, half_width, lowest, highest;
+    std::vector<bool> covered;  ///< Whether a body lies on the water.
 };
 
 LongProfile long_profile(const SpaceTime& surface) {
@@ -51,9 +52,11 @@ LongProfile long_profile(const SpaceTime& surface) {
     return profile;
 }
 
-/// The discharge through the first section that records it, in steady flow that of all; empty where none
-/// does.
+/// The discharge through the section at the inflow, else through the first section that records it, in steady
+/// flow that of all; empty where none does.
 std::vector<double> discharge_of(const FlowRecord& record) {
+    const ScalarProbe* const entering = find_at_end(record, fields::flow_rate.flow_rate, 1);
+    if (entering != nullptr && entering->value.size() > 1) return entering->value;
     for (const ScalarProbe& probe : record.scalar_probes()) {
         if (probe.kind == "flow_rate" && probe.quantity.rfind("flow_rate", 0) == 0 &&
             probe.value.size() > 1) {
@@ -93,10 +96,23 @@ void add_canal(const FlowRecord& record, const CanalFlow& canal, Analysis& analy
         canal.discharge);
 }
 
+/// Whether a body lies on the water at a place, or less than three spacings above it, as a bridge deck does
+/// that the water reaches: there the level is that of a closed section, and says nothing of the pressure in
+/// it.
+bool is_covered(const std::vector<Outline>& bodies, double x, double level, double spacing) {
+    if (!std::isfinite(level)) return false;
+    const auto solid = [&](double spacings) {
+        return std::any_of(bodies.begin(), bodies.end(), [&](const Outline& body) {
+            return contains(body, x, level + spacings * spacing);
+        });
+    };
+    return !solid(-1.0) && (solid(1.0) || solid(2.0) || solid(3.0));
+}
+
 void add_extreme(const LongProfile& profile, bool highest, Analysis& analysis) {
     std::size_t at = profile.x.size();
     for (std::size_t i = 0; i < profile.x.size(); ++i) {
-        if (!std::isfinite(profile.level[i])) continue;
+        if (!std::isfinite(profile.level[i]) || profile.covered[i]) continue;
         const bool further = at == profile.x.size() || (highest ? profile.level[i] > profile.level[at]
                                                                 : profile.level[i] < profile.level[at]);
         if (further) at = i;
@@ -127,8 +143,9 @@ Heads heads_of(const Case& c, const LongProfile& profile, const std::vector<Outl
         const double depth = profile.level[i] - blocked;
         const double velocity = depth > 0.0 ? discharge / depth : not_a_number;
         heads.velocity.push_back(velocity);
-        heads.froude.push_back(velocity / std::sqrt(gravity * depth));
-        heads.energy.push_back(profile.level[i] + velocity * velocity / (2.0 * gravity));
+        heads.froude.push_back(profile.covered[i] ? not_a_number : velocity / std::sqrt(gravity * depth));
+        heads.energy.push_back(profile.covered[i] ? not_a_number
+                                                  : profile.level[i] + velocity * velocity / (2.0 * gravity));
         heads.critical.push_back(blocked + critical_depth);
     }
     return heads;
@@ -276,8 +293,12 @@ void analyse_along(const FlowRecord& record, Analysis& analysis) {
                     "the results file holds no record of the surface in the window");
         return;
     }
-    const LongProfile profile = long_profile(surface);
+    LongProfile profile = long_profile(surface);
     const std::vector<Outline> bodies = prescribed_outlines_at(c, record.window().from);
+    for (std::size_t i = 0; i < profile.x.size(); ++i) {
+        profile.covered.push_back(is_covered(bodies, profile.x[i], profile.level[i], c.numerics.spacing));
+    }
+    const bool covers = std::count(profile.covered.begin(), profile.covered.end(), true) > 0;
     for (Curve& body : body_curves(record, record.window().from, record.window().to)) {
         figure.curves.push_back(std::move(body));
     }
@@ -301,6 +322,10 @@ void analyse_along(const FlowRecord& record, Analysis& analysis) {
         analysis.findings.push_back(make_finding(chapters::along, "unit_discharge",
                                                  "discharge per unit width", "m2/s", discharge->mean,
                                                  trusted_half_width(*discharge)));
+        if (c.channel.ends == Ends::open) {
+            analysis.findings.back().remark =
+                "at the inflow; velocity, Froude number and energy line take it all along the channel, as in steady flow";
+        }
     }
     if (discharge && discharge->mean > 0.0 && !space) {
         heads = heads_of(c, profile, bodies, discharge->mean);
@@ -310,6 +335,10 @@ void analyse_along(const FlowRecord& record, Analysis& analysis) {
             make_curve("critical level", Origin::theory, Mark::line, profile.x, heads->critical, 1));
         figure.caption +=
             " The energy line and the critical level take one velocity over the height of the water, q/h.";
+        if (covers) {
+            figure.caption +=
+                " Where a body lies on the water there is no energy line: the pressure there is not that of a level.";
+        }
     }
     analysis.figures.push_back(std::move(figure));
     add_extreme(profile, true, analysis);

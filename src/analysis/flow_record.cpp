@@ -145,6 +145,16 @@ double bulk_velocity(const FlowRecord& record) {
 double surface_velocity(const FlowRecord& record) {
     const Profiles& p = record.profiles();
     if (record.flow() == nullptr || p.velocity.size() != p.z.size()) return 0.0;
+    const auto depth_at = [&](const Field& field) -> std::optional<double> {
+        const std::vector<double> depth = within_window(record, field);
+        if (depth.empty()) return std::nullopt;
+        return std::accumulate(depth.begin(), depth.end(), 0.0) / static_cast<double>(depth.size());
+    };
+    if (record.origin() == Origin::simulated &&
+        !has_level_surface(*record.flow(), depth_at(fields::time_series.inflow_depth),
+                           depth_at(fields::time_series.outflow_depth))) {
+        return 0.0;
+    }
     constexpr double near_surface = 0.8;  // of the total depth
     for (std::size_t i = p.z.size(); i-- > 0;) {
         if (p.z[i] < near_surface * record.flow()->total_depth()) return 0.0;

@@ -184,7 +184,8 @@ class FlowRecord {
 [[nodiscard]] double bulk_velocity(const FlowRecord& record);
 
 /// Velocity of the water at the surface, m/s: that of the topmost point of the mean profile in the upper
-/// fifth of the depth. Patterns travel with it. 0 where none is known.
+/// fifth of the depth. Patterns travel with it. 0 where none is known, and where the level varies along the
+/// channel.
 [[nodiscard]] double surface_velocity(const FlowRecord& record);
 
 /// Friction velocity that the flow is scaled with, m/s: from the stress at the crests of the run

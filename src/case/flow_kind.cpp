@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 
 #include "case/cross_section.hpp"
 #include "case/porous_zone.hpp"
@@ -177,6 +178,13 @@ bool resolves_eddies(const Case& c) {
     return c.turbulence.closure == ClosureKind::wale || c.turbulence.closure == ClosureKind::vreman;
 }
 
+bool has_level_surface(const Case& c, std::optional<double> inflow_depth,
+                       std::optional<double> outflow_depth) {
+    if (has_bodies(c)) return false;
+    return c.channel.ends != Ends::open ||
+           (inflow_depth && outflow_depth && std::abs(*inflow_depth - *outflow_depth) < c.numerics.spacing);
+}
+
 bool has_mixing_length(const Case& c) {
     switch (c.turbulence.closure) {
         case ClosureKind::ramp:
@@ -208,6 +216,10 @@ std::optional<std::string> why_no_column(const Case& c) {
         return "water enters and leaves at the ends of a duct (channel.ends = \"open\", channel.top = \"wall\"), so "
                "its velocity follows from [inflow] and not from a slope: the uniform flow between the walls is "
                "that of the case with channel.ends = \"periodic\" and channel.slope > 0";
+    }
+    if (c.channel.ends == Ends::open && has_bodies(c)) {
+        return "water enters and leaves at its ends (channel.ends = \"open\") and passes solids: `riffle backwater` "
+               "gives the steady flow along the bed without them";
     }
     if (c.channel.ends == Ends::open) {
         return "water enters and leaves at its ends (channel.ends = \"open\"), so depth and velocity follow from "

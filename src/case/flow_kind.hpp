@@ -55,6 +55,12 @@ enum class FlowKind {
 /// Whether solids stand in the flow that are not part of its bed.
 [[nodiscard]] bool has_bodies(const Case& c);
 
+/// Whether the surface is as high along all of the channel, to a spacing, so that the topmost layer of the
+/// water is the one at the surface everywhere. Where it falls or rises along the channel that layer is of the
+/// deepest reach. \param inflow_depth, outflow_depth means at open ends, m
+[[nodiscard]] bool has_level_surface(const Case& c, std::optional<double> inflow_depth,
+                                     std::optional<double> outflow_depth);
+
 /// Whether solids make the bed rough.
 [[nodiscard]] bool has_solid_bed(const Case& c);
 

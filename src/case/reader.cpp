@@ -135,10 +135,22 @@ void set_dependent_defaults(Case& c, const Values& values) {
     }
 }
 
+/// What a key goes with and does not have; where that key itself goes with what is not there, this outer one.
+const Applies* outermost_unmet_condition(const Key& key, const Case& c, std::size_t item) {
+    const Applies* unmet = unmet_condition(key, c, item);
+    while (unmet != nullptr) {
+        const Key* const other = find_key(unmet->id);
+        const Applies* const outer = other != nullptr ? unmet_condition(*other, c, item) : nullptr;
+        if (outer == nullptr || !other->applies.strictly) return unmet;
+        unmet = outer;
+    }
+    return unmet;
+}
+
 /// Set a key of the case, if it goes with what is set already.
 void set_key(Case& c, const Key& key, std::size_t item, const Value& value, const Places& places,
              Problems& problems) {
-    const Applies* const unmet = unmet_condition(key, c, item);
+    const Applies* const unmet = outermost_unmet_condition(key, c, item);
     if (unmet != nullptr && key.applies.strictly) {
         // An option such as --set run.until=1s supersedes what the file says for the other choice.
         const Place& place = places.of(key.id(item));

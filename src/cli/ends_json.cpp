@@ -23,6 +23,8 @@ const char* source_word(DepthSource source) {
             return "backwater";
         case DepthSource::uniform:
             return "uniform";
+        case DepthSource::steady:
+            return "steady";
         case DepthSource::start:
             return "start";
         case DepthSource::full:

@@ -30,8 +30,11 @@ std::vector<std::string> progress_parts(const RunProgress& p) {
         return {fmt::format("t = {:.2g} of {}{:.4g} s", p.time, certain ? "" : "about ", p.expected_end),
                 "nothing recorded yet", steps, updates};
     }
+    constexpr std::int64_t telling = 10;  // the first steps build lists and fetch memory
+    const bool known = p.steps_done >= telling;
     return {fmt::format("t = {:.2f} of {}{:.4g} s", p.time, certain ? "" : "about ", p.expected_end),
-            fmt::format("{}{} left", certain ? "" : "about ", duration_text(p.seconds_left)),
+            known ? fmt::format("{}{} left", certain ? "" : "about ", duration_text(p.seconds_left))
+                  : std::string("time left not known yet"),
             fmt::format("U {:.4f} m/s", p.depth_mean_velocity),
             fmt::format("drag/gravity {:.3f}", p.drag_over_gravity),
             fmt::format("level {:.2f} mm", 1e3 * p.mean_level),

@@ -10,6 +10,7 @@
 #include "base/error.hpp"
 #include "case/bed_patch.hpp"
 #include "case/case.hpp"
+#include "case/flow_kind.hpp"
 #include "cli/backwater_figure.hpp"
 #include "cli/backwater_output.hpp"
 #include "cli/case_argument.hpp"
@@ -111,6 +112,11 @@ SteadyChannel channel_of(const GivenFriction& friction, const Case& c, double q)
     if (const auto& k = friction.equivalent_roughness) {
         return rough_channel(c.channel.slope, c.fluid.gravity, q, *k);
     }
+    if (!channel_or_walls_resist(c)) {
+        throw InputError(
+            "nothing in the case brakes the flow, so no friction of its bed is known: give --manning or "
+            "--equivalent-roughness, or [bed] a kind that resists (\"spheres\", \"roughness\", \"smooth\" or \"no-slip\")");
+    }
     return twin_channel(with_bed_at(c, c.channel.length), q);
 }
 
@@ -186,6 +192,32 @@ void choose_length(const BackwaterArguments& a, Backwater& b, ChannelControls& c
                   100.0 * approach));
 }
 
+/// What rules the flow of a case with open ends: what it gives, as far as the options do not say otherwise.
+ChannelControls controls_between_ends(const BackwaterArguments& a, const Case& c, const EndInput& ends,
+                                      Backwater& b) {
+    ChannelControls controls = controls_at_ends(c, ends, b.channel);
+    if (!a.length.empty()) controls.length = quantity_argument("--length", a.length, Dimension::length);
+    if (!a.downstream.empty()) {
+        controls.downstream_depth = control("--downstream", a.downstream, c, b.channel);
+    }
+    if (!a.upstream.empty()) {
+        controls.upstream_depth = control("--upstream", a.upstream, c, b.channel);
+    } else if (controls.upstream_depth && *controls.upstream_depth > critical_depth(b.channel)) {
+        controls.upstream_depth.reset();
+        b.notes.emplace_back(
+            "[inflow] depth is that of slow water, which is ruled from downstream: it takes no part, and the flow of the "
+            "case has another discharge where the depth there is another one.");
+    }
+    if (a.upstream.empty() && a.downstream.empty()) {
+        b.notes.emplace_back(
+            "What holds the depths at the ends is that of the case, [inflow] and [outflow].");
+    } else {
+        b.notes.emplace_back(
+            "Length, and what the options leave open at the ends, are those of the case with open ends.");
+    }
+    return controls;
+}
+
 Backwater solve(const BackwaterArguments& a, Case c) {
     if (c.channel.top != Top::free_surface) {
         throw InputError(
@@ -211,11 +243,8 @@ Backwater solve(const BackwaterArguments& a, Case c) {
     b.channel = channel_of(friction, c, q);
     b.discharge = q * c.channel.width;
     ChannelControls controls;
-    if (ends && a.upstream.empty() && a.downstream.empty()) {
-        controls = controls_at_ends(c, *ends, b.channel);
-        if (!a.length.empty()) controls.length = quantity_argument("--length", a.length, Dimension::length);
-        b.notes.emplace_back(
-            "What holds the depths at the ends is that of the case, [inflow] and [outflow].");
+    if (ends) {
+        controls = controls_between_ends(a, c, *ends, b);
     } else {
         controls.upstream_depth = control("--upstream", a.upstream, c, b.channel);
         controls.downstream_depth = control("--downstream", a.downstream, c, b.channel);
@@ -228,6 +257,11 @@ Backwater solve(const BackwaterArguments& a, Case c) {
     }
     b.length = controls.length;
     b.flow = solve_varied_reaches(reaches_of(friction, c, b), controls);
+    if (has_bodies(c)) {
+        b.notes.emplace_back(
+            "The solids of the case take no part: this is the flow along its bed without them, and what they raise the water "
+            "by is what a run has more.");
+    }
     if (!c.bed_patches.empty() && is_given(friction)) {
         b.notes.emplace_back("The given friction is that of the whole bed: its patches take no part.");
     }
@@ -280,8 +314,7 @@ void add_verb_backwater(CLI::App& app) {
                      "Depth at the upstream end where the flow is supercritical there, or: normal, critical");
     verb->add_option(
         "--length", a->length,
-        "Of the channel; default: that of a case with open ends whose ends rule the depths, else until the flow is "
-        "uniform within 1 %");
+        "Of the channel; default: that of a case with open ends, else until the flow is uniform within 1 %");
     verb->add_option("--slope", a->slope, "Of the bed instead of the case's; below 0: adverse");
     auto* const manning = verb->add_option("--manning", a->manning,
                                            "Friction by Manning's n, s/m^(1/3), instead of the column twin")

@@ -14,9 +14,16 @@ namespace riffle::inline components {
 
 // Particles that come and go at open ends, each with its row in the account.
 
+/// What the particles that are taken out have done.
+enum class TakenOut {
+    left,        ///< they have left the channel
+    not_entered  ///< they have waited before it, and are made anew: they count no more among those that
+                 ///< entered
+};
+
 /// Take out the particles of which leaves(index) holds.
 template <int D, class Real, class Leaves>
-void take_out_with_account(FlowOf<D, Real>& flow, const Leaves& leaves) {
+void take_out_with_account(FlowOf<D, Real>& flow, TakenOut how, const Leaves& leaves) {
     Particles<D>& p = flow.particles;
     EndsLedger& ledger = flow.clock.open_ends.ledger;
     std::vector<std::int32_t> kept;
@@ -26,9 +33,15 @@ void take_out_with_account(FlowOf<D, Real>& flow, const Leaves& leaves) {
             kept.push_back(static_cast<std::int32_t>(i));
             continue;
         }
-        ++ledger.left;
-        ledger.mass_left += p.mass[i];
-        ledger.momentum_left += p.mass[i] * p.velocity[0][i];
+        if (how == TakenOut::left) {
+            ++ledger.left;
+            ledger.mass_left += p.mass[i];
+            ledger.momentum_left += p.mass[i] * p.velocity[0][i];
+        } else {
+            --ledger.entered;
+            ledger.mass_entered -= p.mass[i];
+            ledger.momentum_entered -= p.mass[i] * p.velocity[0][i];
+        }
     }
     if (kept.size() < p.size()) p.permute(kept);
 }

@@ -54,6 +54,8 @@ class OpenEnds final : public Component<D, Real> {
         streams_.rearrange(state, state.upstream.depth);
         if (inflow_is_strained(flow)) lay_inflow_anew(flow);
         make(flow);
+        // What stands beyond the ends before the first step is of the start.
+        if (flow.clock.steps == 0) state.ledger = {};
     }
 
     [[nodiscard]] bool lists_expired(const Flow& flow) const override {
@@ -320,7 +322,7 @@ class OpenEnds final : public Component<D, Real> {
         const auto& x = flow.particles.position[0];
         const double from = -(support_ + travel_) - 2.0 * lattice_.dx;
         const double to = length_ + support_ + (falls_ ? 0.5 * flow.scheme.depth : 0.0);
-        take_out_with_account(flow, [&](std::size_t i) {
+        take_out_with_account(flow, TakenOut::left, [&](std::size_t i) {
             return x[i] < from || x[i] > to || (falls_ && has_fallen(flow.particles, i));
         });
     }
@@ -344,7 +346,8 @@ class OpenEnds final : public Component<D, Real> {
     /// Take out the water before the inflow; its streams are filled again from the channel on.
     void lay_inflow_anew(Flow& flow) {
         OpenEndsState& state = flow.clock.open_ends;
-        take_out_with_account(flow, [&](std::size_t i) { return flow.particles.position[0][i] < 0.0; });
+        take_out_with_account(flow, TakenOut::not_entered,
+                              [&](std::size_t i) { return flow.particles.position[0][i] < 0.0; });
         streams_.begin(state, state.rows, 0.5 * streams_.length(state.rows, state.upstream.depth));
     }
 

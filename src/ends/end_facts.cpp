@@ -22,8 +22,9 @@ std::string millimetres(const Extremes& range) {
     return range_text({1e3 * range.least, 1e3 * range.largest}, " mm");
 }
 
-/// Near enough to 1 to be called critical: closer than any run tells.
-constexpr double critical_band = 5e-3;
+/// Near enough to 1 to be called critical: closer than a run tells, and than the critical depth of a uniform
+/// velocity, which an outflow holds, is to that of a profile.
+constexpr double critical_band = 3e-2;
 
 const char* regime(double froude) {
     return std::abs(froude - 1.0) < critical_band ? "critical"
@@ -82,6 +83,9 @@ std::string inflow_text(const Case& c, const FlowAtEnds& states) {
             case DepthSource::uniform:
                 text += ", depth " + depth + " of uniform flow (the flow sets it)";
                 break;
+            case DepthSource::steady:
+                text += ", depth " + depth + " of steady flow with each discharge (the flow sets it)";
+                break;
             case DepthSource::start:
                 text += ", depth " + depth + " at the start (the flow sets it)";
                 break;
@@ -107,7 +111,12 @@ std::string inflow_text(const Case& c, const FlowAtEnds& states) {
 /// Where the outflow takes longer to bring the depth of the start to the one that it holds than the run
 /// lasts: the default lets waves out.
 std::string holding_text(const Case& c, const FlowAtEnds& states) {
-    if (!states.held_depth || c.outflow.relaxation_time || c.run.until != RunUntil::time) return "";
+    if (!states.held_depth) return "";
+    if (states.held_depth->changes()) {
+        return fmt::format("; it follows that in some {:.3g} s (outflow.relaxation_time)",
+                           states.holding_time);
+    }
+    if (c.outflow.relaxation_time || c.run.until != RunUntil::time) return "";
     constexpr double enough = 2.0;  // times e
     if (c.run.time >= enough * states.holding_time) return "";
     constexpr double same = 1e-3;
@@ -169,7 +178,7 @@ std::string outflow_text(const Case& c, const FlowAtEnds& states) {
 std::string profile_text(const Case& c, const FlowAtEnds& states) {
     const Extremes& given = *states.profile_heights;
     // Over the datum; a profile stretches with the depth of the water, and is given for that of the case.
-    const double bottom = states.inflow.floor > 0.0 ? states.inflow.floor : -c.datum();
+    const double bottom = states.inflow.floor > 0.0 ? states.inflow.floor : 0.0 - c.datum();
     const bool below = given.least > bottom + c.numerics.spacing;
     const bool above = given.largest < c.channel.depth - c.numerics.spacing;
     if (!below && !above) return "";

@@ -20,6 +20,7 @@
 #include "column/twin_channel.hpp"
 #include "column/twin_reaches.hpp"
 #include "column/uniform_rating.hpp"
+#include "ends/end_checks.hpp"
 #include "ends/flow_of_results.hpp"
 #include "ends/narrowest_opening.hpp"
 #include "ends/section_state.hpp"
@@ -136,25 +137,12 @@ void require_room(const Case& c, const std::filesystem::path& file, const std::s
     }
 }
 
-/// Throws FileError where the table of an outflow goes over the domain, or below the critical depth.
-void require_possible(const Case& c, const TimeTable& depth, double floor) {
-    const std::filesystem::path& file = c.outflow.depth_file;
-    require_room(c, file, "its largest depth is", depth.largest() + floor);
-    const double critical = critical_depth_of(c.normal_gravity(), c.inflow_unit_discharge().value_or(0.0));
-    if (depth.smallest() < critical) {
-        const auto level = [&](double over_floor) { return shown_length(over_floor + floor - c.datum()); };
-        throw FileError(fmt::format(
-            "{}: its least depth is {}, the critical depth of the discharge {}: water leaves at the critical "
-            "depth where nothing holds it back; make it deeper, or choose [outflow] kind = \"critical-depth\" "
-            "or, for supercritical flow, \"free\"",
-            file.string(), level(depth.smallest()), level(critical)));
-    }
-}
-
 /// The depths that an outflow holds in time, over its floor.
 TimeTable outflow_table(const Case& c, double floor) {
     TimeTable table = depth_table(c, c.outflow.depth, c.outflow.depth_file, floor);
-    if (!c.outflow.depth_file.empty()) require_possible(c, table, floor);
+    if (!c.outflow.depth_file.empty()) {
+        require_room(c, c.outflow.depth_file, "its largest depth is", table.largest() + floor);
+    }
     return table;
 }
 
@@ -318,6 +306,8 @@ EndInput read_end_levels(const Case& c) {
         input.inflow_relaxation_time =
             c.inflow.relaxation_time.value_or(times * std::sqrt(c.total_depth() / c.normal_gravity()));
         input.relaxation_time = c.outflow.relaxation_time.value_or(default_relaxation_time(c));
+        require_subcritical_outflow(c, input, floors.downstream);
+        require_profile_in_water(c, floors.upstream);
     }
     return input;
 }
@@ -389,13 +379,14 @@ std::function<double(double)> start_depths(const Case& c, const EndInput& input)
     }
 }
 
-ChannelControls controls_at_ends(const Case& c, const EndInput& input, const SteadyChannel& channel) {
+ChannelControls controls_at_ends(const Case& c, const EndInput& input, const SteadyChannel& channel,
+                                 double time) {
     ChannelControls controls{.length = c.channel.length, .upstream_depth = {}, .downstream_depth = {}};
-    if (input.inflow_depth) controls.upstream_depth = input.inflow_depth->at(0.0) - c.datum();
+    if (input.inflow_depth) controls.upstream_depth = input.inflow_depth->at(time) - c.datum();
     if (input.outflow_depth) {
         const double critical = critical_depth(channel);
         controls.downstream_depth =
-            std::max(critical, input.outflow_depth(channel.unit_discharge, 0.0) - c.datum());
+            std::max(critical, input.outflow_depth(channel.unit_discharge, time) - c.datum());
     } else if (c.outflow.kind == OutflowKind::free_fall || c.outflow.kind == OutflowKind::free) {
         // Slower water leaves at the critical depth; faster water does not hear of it.
         controls.downstream_depth = critical_depth(channel);

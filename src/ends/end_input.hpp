@@ -45,10 +45,10 @@ struct EndExtremes {
 };
 [[nodiscard]] EndExtremes end_extremes(const Case& c, const EndInput& input);
 
-/// What rules the steady varied flow between the ends as they are at t = 0, depths over the datum, of the
-/// channel with the discharge of the start.
+/// What rules the steady varied flow between the ends as they are at a time, depths over the datum, of the
+/// channel with the discharge of that time.
 [[nodiscard]] ChannelControls controls_at_ends(const Case& c, const EndInput& input,
-                                               const SteadyChannel& channel);
+                                               const SteadyChannel& channel, double time = 0.0);
 
 /// Total depth of the steady varied flow between the ends as they are at t = 0 (riffle backwater), m. Throws
 /// InputError where there is none.

@@ -176,6 +176,21 @@ std::vector<Instant> extreme_instants(const Case& c, const EndInput& input, doub
     return chosen;
 }
 
+/// Depth at the inflow, over the datum, of the steady flow with what the tables give at one time; none where
+/// there is no such flow.
+std::optional<double> depth_of_steady_flow(const Case& c, const EndInput& input, BedFlow& bed,
+                                           const Instant& at) {
+    if (!(at.unit_discharge > 0.0)) return std::nullopt;
+    try {
+        const SteadyChannel& channel = bed.channel(at.unit_discharge);
+        return solve_varied_reaches({{"", 0.0, c.channel.length, channel}},
+                                    controls_at_ends(c, input, channel, at.time))
+            .depth_at(0.0);
+    } catch (const InputError&) {
+        return std::nullopt;
+    }
+}
+
 /// Adds what a depth (m, over what the water stands on there) means at an end.
 void add_depth(const Case& c, BedFlow& bed, double q, double depth, FlowAtEnd& end) {
     if (!(depth > 0.0)) return;
@@ -223,10 +238,15 @@ FlowAtEnds flow_at_ends(const Case& c) {
     states.outflow.floor = floors.downstream > 0.0 ? floors.downstream - c.datum() : 0.0;
     states.one_bed = !other && states.inflow.floor == states.outflow.floor;
     const std::optional<VariedFlow> flow = steady_flow(c, input, bed, start_unit_discharge(c, input));
-    // A hydrograph that nothing but the bed rules: about that of uniform flow, whatever the start.
+    // A hydrograph, whatever the start: about that of the steady flow with each discharge, where the bed
+    // alone rules it that of uniform flow.
     const bool has_uniform = !c.inflow.discharge_file.empty() && !is_disturbed(c) && !is_duct(c) &&
                              bed.normal(input.unit_discharge->largest()).has_value();
     states.inflow.source = source_of_inflow(c, input, flow.has_value(), has_uniform);
+    if (states.inflow.source == DepthSource::uniform && c.outflow.kind != OutflowKind::normal_depth &&
+        c.bed_patches.empty() && bed.has_channel()) {
+        states.inflow.source = DepthSource::steady;
+    }
     states.outflow.source = source_of_outflow(c, input, flow.has_value());
     const double of_start = depth_of_start(c, input) - floors.upstream;
 
@@ -242,9 +262,13 @@ FlowAtEnds flow_at_ends(const Case& c) {
         add_characteristic_depths(c, bed, q, states.inflow);
         add_characteristic_depths(c, bed_at_outflow, q, states.outflow);
         const std::optional<double> uniform =
-            states.inflow.source == DepthSource::uniform ? bed.normal(q) : std::nullopt;
+            has_uniform && !input.inflow_depth ? bed.normal(q) : std::nullopt;
+        const std::optional<double> varied = states.inflow.source == DepthSource::steady
+                                                 ? depth_of_steady_flow(c, input, bed, at)
+                                                 : std::nullopt;
         const double before = input.inflow_depth ? at.inflow_depth
                               : flow             ? flow->depth_at(0.0) + c.datum()
+                              : varied           ? *varied + c.datum()
                               : uniform          ? std::max(*uniform + c.datum(), bed.critical(q, true))
                                         : std::max(of_start, bed.critical(q, states.inflow.floor == 0.0));
         add_depth(c, bed, q, before, states.inflow);

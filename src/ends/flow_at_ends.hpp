@@ -22,6 +22,7 @@ enum class DepthSource {
     backwater,  ///< the steady varied flow between the ends, as riffle backwater finds it
     uniform,    ///< uniform flow over the bed there with the discharge that changes: the flow itself will
                 ///< decide
+    steady,     ///< the steady varied flow between the ends with each discharge of a hydrograph
     start,      ///< the water of the start, at least the critical depth: the flow itself will decide
     full,       ///< the height of a duct
     unknown     ///< nothing tells it

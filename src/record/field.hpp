@@ -59,6 +59,7 @@ enum Condition : unsigned {
     with_porous_zones = 1U << 21U,
     with_free_bodies = 1U << 22U,
     density_relaxation = 1U << 23U,  ///< numerics.density_relaxation
+    level_surface = 1U << 24U,       ///< where the surface is as high all along the channel
 };
 
 /// Who reads a field.

@@ -44,6 +44,7 @@ constexpr ConditionWords condition_words[] = {
     {with_free_bodies, "free_bodies", "with free bodies"},
     {with_local_depth, "local_depth", "where mixing lengths follow the local depth"},
     {slow_correction, "slow_correction", "with `numerics.pressure_correction_time` above 0"},
+    {level_surface, "level_surface", "where the surface is as high all along the channel"},
     {density_relaxation, "density_relaxation", "with `numerics.density_relaxation` above 0"},
 };
 

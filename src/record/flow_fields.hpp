@@ -116,7 +116,9 @@ struct TimeSeries {
     Field outflow_depth =
         end_series("outflow_depth", "m", "depth of the section at the outflow, from the bed level");
     Field particles_stored = end_series("particles_stored", "1", "particles, those beyond the ends included");
-    Field particles_entered = end_series("particles_entered", "1", "particles that have entered so far");
+    Field particles_entered = end_series(
+        "particles_entered", "1",
+        "particles that have entered so far, those that wait before the inflow included, but for the ones of the start");
     Field particles_left = end_series("particles_left", "1", "particles that have left by the ends so far");
     Field particles_lost =
         end_series("particles_lost", "1", "particles that have left the domain otherwise so far");

@@ -101,8 +101,11 @@ struct Summary {
                                 {.reader = Reader::users});
     Field level_drift =
         outcome("level_drift", "m", "last second's mean level less the first's", {.reader = Reader::users});
-    Field surface_velocity =
-        outcome("surface_velocity", "m/s", "u of the topmost layer", {.written = with_profiles});
+    Field surface_velocity = outcome(
+        "surface_velocity", "m/s", "u of the topmost layer",
+        {.written = with_profiles,
+         .note = "left out around bodies, and where the depths at open ends differ by a spacing: the topmost "
+                 "layer is not at the surface everywhere"});
     Field velocity_error_above_rms = departure(
         "velocity_error_above_rms", "rms departure of u from the twin over the twin's u, above the crest");
     Field velocity_error_above_maximum = departure("velocity_error_above_maximum", "the largest of these");

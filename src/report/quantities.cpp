@@ -333,7 +333,8 @@ std::vector<SummaryRow> summarize(const ReportData& data, const Analysis& analys
                       {"unit_discharge", "<i>q</i>"},
                       {"highest_level", ""},
                       {"lowest_level", ""},
-                      {"largest_froude", "Fr"}});
+                      {"largest_froude", "Fr"},
+                      {"backwater_departure", ""}});
         add_forces_on_bodies(table, data, analysis);
         for (std::size_t k = 1; k <= data.flow.solids.size(); ++k) {
             const std::string number = std::to_string(k);

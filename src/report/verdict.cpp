@@ -185,10 +185,12 @@ void judge_bodies(const ReportData& data, const std::vector<SummaryRow>& quantit
                                                 100.0 * bodies->simulated->value));
     }
     if (data.flow.channel.ends == Ends::open && !bodies_stand) {
-        if (channel_resists(data.flow)) {
-            verdict.sentences.emplace_back(
-                "What the ends give rules the flow; the steady varied flow between them stands beside the long "
-                "profile.");
+        const SummaryRow* const curve = find_quantity(quantities, "backwater_departure");
+        if (curve != nullptr && curve->simulated) {
+            verdict.sentences.emplace_back(fmt::format(
+                "What the ends give rules the flow; the mean level departs by at most {:.3g} % of the depth from "
+                "the steady varied flow between them, which stands beside the long profile.",
+                100.0 * std::abs(curve->simulated->value)));
         }
     } else {
         add_why_no_twin(data.flow, verdict);

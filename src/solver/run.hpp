@@ -34,6 +34,7 @@ struct RunProgress {
     /// Where the run will end, s: the latest end, or where convergence is expected from what it lacks now.
     double expected_end = 0.0;
     std::int64_t steps = 0;
+    std::int64_t steps_done = 0;  ///< since the run began or was gone on with: few tell no speed
     double steps_per_second = 0.0;
     double updates_per_second = 0.0;  ///< particle force evaluations per second
     double seconds_left = 0.0;        ///< wall clock, to the expected end

@@ -142,17 +142,16 @@ std::vector<std::string> compare_identity(const CheckpointReader& checkpoint, co
         const auto saved = before.find(fmt::format("{} {}", file.key, file.path.string()));
         const std::string now = checksum_text(file.path);
         if (saved == before.end() || saved->second == now) continue;
-        const char* what = now == "- -" ? "is gone" : "is not the file that it was";
+        const char* what = now == "- -" ? "that the run began with is gone"
+                                        : "is not the file that it was when the run began";
         if (file.needed) {
             throw InputError(
-                fmt::format("{} = \"{}\": the file {} when the run began, and what is resumed would be "
-                            "another flow. Put the "
+                fmt::format("{} = \"{}\": the file {}, and what is resumed would be another flow. Put the "
                             "earlier file back, or start a new run with this one in another folder",
                             file.key, file.path.string(), what));
         }
-        warnings.push_back(fmt::format(
-            "{} = \"{}\": the file {} when the run began; the run itself does not need it any more", file.key,
-            file.path.string(), what));
+        warnings.push_back(fmt::format("{} = \"{}\": the file {}; the run itself does not need it any more",
+                                       file.key, file.path.string(), what));
     }
     const auto compare = [&](const Field& field, const char* name, const std::string& now) {
         const std::string then = text_attribute(checkpoint, field);

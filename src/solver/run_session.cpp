@@ -387,6 +387,7 @@ void RunSession<D>::report_progress() {
             ? expected_end(convergence_, clock.time, relaxation_time_, case_.run.tolerance, case_.run.time)
             : case_.run.time;
     progress.steps = clock.steps;
+    progress.steps_done = clock.steps - first_step_;
     progress.steps_per_second = static_cast<double>(clock.steps - first_step_) / seconds;
     progress.updates_per_second = progress.steps_per_second * simulation_->evaluations_per_step() *
                                   static_cast<double>(simulation_->particles().size());

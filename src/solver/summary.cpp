@@ -234,7 +234,13 @@ Numbers summarise(const Case& c, const Twins& twins, const TimeSeries& series, c
                 window_mean(series, fields::time_series.mean_level, to - 1.0, to) -
                     window_mean(series, fields::time_series.mean_level, 0.0, std::min(1.0, to)));
     if (profiles.empty()) return summary;
-    summary.set(fields::summary.surface_velocity, profiles.velocity.back());
+    const bool open = c.channel.ends == Ends::open;
+    const auto depth_at = [&](const Field& field) {
+        return open ? std::optional<double>(window_mean(series, field, from, to)) : std::nullopt;
+    };
+    if (has_level_surface(c, depth_at(of_series.inflow_depth), depth_at(of_series.outflow_depth))) {
+        summary.set(fields::summary.surface_velocity, profiles.velocity.back());
+    }
     if (twins.column) {
         add_column_departures(c, profiles, summary);
         const double reference =

@@ -280,6 +280,18 @@ class CommandLine(CommandLineTest):
         other = json.loads(self.succeed("backwater", jump, "--discharge", "0.02 m2/s", "--length", "2", "--json", "-").stdout)
         self.assertAlmostEqual(other["unit_discharge"], 0.02)
         self.assertEqual(other["stations"]["x"][-1], 2.0)
+        # The end that an option leaves open is that of the case, and so is the length.
+        held = json.loads(self.succeed("backwater", jump, "--downstream", "75mm", "--json", "-").stdout)
+        self.assertAlmostEqual(held["stations"]["depth"][0], 0.02)
+        self.assertAlmostEqual(held["stations"]["depth"][-1], 0.075)
+        self.assertEqual(held["stations"]["x"][-1], 1.0)
+
+    def test_backwater_says_what_takes_no_part(self):
+        weir = CASE.parents[1] / "open-ends/broad-crested-weir.toml"
+        told = " ".join(self.succeed("backwater", weir, "--manning", "0.012", "--downstream", "120mm").stdout.split())
+        self.assertIn("solids of the case take no part", told)
+        # A bed that nothing brakes has no friction of its own: the way on is named.
+        self.fail_with(2, "backwater", weir, "--set", "bed.kind=slip", says=["--manning", "--equivalent-roughness"])
 
     def test_backwater_over_beds_of_two_roughnesses(self):
         case = CASE.parents[1] / "plane-beds/change-of-roughness.toml"

@@ -235,6 +235,12 @@ TEST(BadInput, MaximumTimeGoesOnlyWithConverged) {
     EXPECT_EQ(error_of(smallest + "[run]\nmaximum_time = \"20 s\"\n", {{"run.until", "1s"}}), "");
 }
 
+// The reason is the outer one: without open ends there is no outflow whose kind would be another.
+TEST(BadInput, AKeyOfWhatIsNotThereNamesTheOutermostCondition) {
+    EXPECT_THAT(error_of(smallest + "[outflow]\nkind = \"depth\"\ndepth = \"50 mm\"\n"),
+                HasSubstr("[outflow] depth goes only with channel.ends = \"open\""));
+}
+
 class BadFiles : public testing::Test {
   protected:
     void SetUp() override {

@@ -7,6 +7,7 @@
 #include <fstream>
 #include <string>
 
+#include "base/error.hpp"
 #include "ends/end_input.hpp"
 #include "ends/relaxation_between_ends.hpp"
 #include "temporary_folder.hpp"
@@ -213,6 +214,69 @@ TEST(FlowAtEnds, AHydrographLeavesWithTheNormalDepthOfWhatLeaves) {
     EXPECT_NEAR(start_depths(c, read_end_levels(c))(0.3), steady + c.datum(), 1e-4 * steady);
 }
 
+// Where the outflow holds another depth than that of uniform flow, the inflow has that of the steady flow
+// between them with each discharge: the same as that of the discharge alone, and the time in which the
+// outflow follows is told.
+TEST(FlowAtEnds, AHydrographOverARatingCurveHasTheDepthsOfItsSteadyFlows) {
+    test::TemporaryFolder folder;
+    std::ofstream(folder.path() / "rating.csv")
+        << "depth [m],unit_discharge [m2/s]\n0.07,0.0174\n0.11,0.04\n";
+    std::ofstream(folder.path() / "flood.csv")
+        << "time [s],unit_discharge [m2/s]\n0,0.0174\n5,0.04\n9,0.0174\n";
+    Case c = rough_case("[inflow]\nunit_discharge = \"0.0174 m2/s\"\n[start]\nkind = \"backwater\"\n");
+    c.outflow.kind = OutflowKind::rating_curve;
+    c.outflow.rating_file = folder.path() / "rating.csv";
+    const double of_first = flow_at_ends(c).inflow.depth->least;
+    c.inflow.unit_discharge = 0.04;
+    const double of_second = flow_at_ends(c).inflow.depth->least;
+    EXPECT_GT(of_first, 0.066);  // the normal depth is 50 mm
+    c.inflow.unit_discharge.reset();
+    c.inflow.discharge_file = folder.path() / "flood.csv";
+    const FlowAtEnds flow = flow_at_ends(c);
+    EXPECT_EQ(flow.inflow.source, DepthSource::steady);
+    EXPECT_NEAR(flow.inflow.depth->least, of_first, 1e-9);
+    EXPECT_NEAR(flow.inflow.depth->largest, of_second, 1e-9);
+    EXPECT_THAT(text_of(c), HasSubstr("it follows that in some"));
+}
+
+std::string error_of_ends(const Case& c) {
+    try {
+        static_cast<void>(read_end_levels(c));
+    } catch (const Error& error) {
+        return error.what();
+    }
+    return "";
+}
+
+// Nothing holds water below the critical depth of what leaves at that time.
+TEST(FlowAtEnds, AnOutflowBelowTheCriticalDepthIsRefused) {
+    test::TemporaryFolder folder;
+    Case c = slip_case(
+        "[inflow]\nunit_discharge = \"0.03 m2/s\"\nprofile = \"uniform\"\n[outflow]\nkind = \"critical-depth\"\n");  // 45.1 mm
+    c.outflow.kind = OutflowKind::weir;
+    c.outflow.weir_height = 0.001;
+    c.outflow.weir_coefficient = 1.2;
+    EXPECT_THAT(error_of_ends(c), HasSubstr("whose critical depth is 45.1"));
+    EXPECT_THAT(error_of_ends(c), HasSubstr("raise weir_height"));
+    c.outflow.weir_coefficient = 0.6;
+    EXPECT_EQ(error_of_ends(c), "");
+    c.outflow.kind = OutflowKind::rating_curve;
+    c.outflow.rating_file = folder.path() / "rating.csv";
+    std::ofstream(c.outflow.rating_file) << "depth [m],unit_discharge [m2/s]\n0.02,0.01\n0.04,0.05\n";
+    EXPECT_THAT(error_of_ends(c), HasSubstr("rating.csv: the rating curve holds 30 mm"));
+    // A table is deep enough for the discharge of its time, or not.
+    c.outflow.kind = OutflowKind::depth;
+    c.outflow.depth_file = folder.path() / "tide.csv";
+    c.inflow.unit_discharge.reset();
+    c.inflow.discharge_file = folder.path() / "flood.csv";
+    std::ofstream(c.inflow.discharge_file) << "time [s],unit_discharge [m2/s]\n0,0.01\n3,0.03\n9,0.03\n";
+    std::ofstream(c.outflow.depth_file) << "time [s],depth [m]\n0,0.03\n3,0.06\n9,0.06\n";
+    EXPECT_EQ(error_of_ends(c), "");
+    std::ofstream(c.outflow.depth_file) << "time [s],depth [m]\n0,0.06\n3,0.03\n9,0.06\n";
+    EXPECT_THAT(error_of_ends(c),
+                HasSubstr("tide.csv: it holds 30 mm at the discharge of 0.03 m2/s (t = 3 s)"));
+}
+
 // A supercritical inflow is told to need its depth.
 TEST(FlowAtEnds, OfASteepSlopeAsksForTheDepth) {
     Case c = rough_case("[inflow]\nunit_discharge = \"0.0174 m2/s\"\n");
@@ -249,6 +313,9 @@ TEST(FlowAtEnds, AProfileOfAPartOfTheDepthIsTold) {
                           "down to -6 mm, the bottom, its highest up to 50 mm, the surface"));
     std::ofstream(c.inflow.profile_file) << "z [mm],u [m/s]\n-5.5,0.1\n30,0.35\n49.5,0.4\n";
     EXPECT_THAT(text_of(c), Not(HasSubstr("profile")));
+    std::ofstream(c.inflow.profile_file) << "z,u\n20,0.3\n45,0.35\n";  // meant in mm, read in m
+    EXPECT_THAT(error_of_ends(c),
+                HasSubstr("its heights, 20 m to 45 m over the datum, all lie outside of the water"));
 }
 
 TEST(FlowAtEnds, ADuctHasNoFroudeNumber) {

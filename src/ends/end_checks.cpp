@@ -1,0 +1,86 @@
+#include "ends/end_checks.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <string>
+#include <vector>
+
+#include "base/error.hpp"
+#include "case/end_levels.hpp"
+#include "case/units.hpp"
+#include "laboratory/profile_record.hpp"
+
+namespace riffle::inline ends {
+
+namespace {
+
+/// What holds the water at the outflow, and what to do where that is too low; empty of kinds that cannot be.
+struct Holding {
+    std::string what;
+    const char* cure = "";
+    bool by_file = false;
+};
+
+Holding holding_of(const Case& c) {
+    const Outflow& outflow = c.outflow;
+    switch (outflow.kind) {
+        case OutflowKind::depth:
+            if (outflow.depth_file.empty()) return {};  // a refusal of the case
+            return {outflow.depth_file.string() + ": it", "make it deeper", true};
+        case OutflowKind::rating_curve:
+            return {outflow.rating_file.string() + ": the rating curve", "make it deeper", true};
+        case OutflowKind::weir:
+            return {"[outflow] kind = \"weir\": the weir",
+                    "raise weir_height, or make weir_coefficient smaller", false};
+        default:
+            return {};
+    }
+}
+
+}  // namespace
+
+void require_profile_in_water(const Case& c, double floor) {
+    if (c.inflow.profile != InflowProfile::file) return;
+    const std::vector<double> heights = read_profile_record(c.inflow.profile_file).z;
+    const double bottom = floor - c.datum();
+    if (heights.empty() || std::any_of(heights.begin(), heights.end(),
+                                       [&](double z) { return z >= bottom && z <= c.channel.depth; })) {
+        return;
+    }
+    const auto [least, largest] = std::minmax_element(heights.begin(), heights.end());
+    throw FileError(fmt::format(
+        "{}: its heights, {} to {} over the datum, all lie outside of the water, which reaches from {} to {}; say "
+        "their unit in the heading, as in \"z [mm]\", or correct them",
+        c.inflow.profile_file.string(), shown_length(*least), shown_length(*largest), shown_length(bottom),
+        shown_length(c.channel.depth)));
+}
+
+void require_subcritical_outflow(const Case& c, const EndInput& input, double floor) {
+    const Holding holding = holding_of(c);
+    if (holding.what.empty() || !input.unit_discharge || !input.outflow_depth) return;
+    std::vector<double> times{0.0, c.run.time};
+    for (const std::optional<TimeTable>* table : {&input.unit_discharge, &input.outflow_table}) {
+        if (!*table) continue;
+        for (const double time : (*table)->times()) {
+            if (time > 0.0 && time < c.run.time) times.push_back(time);
+        }
+    }
+    constexpr double rounding = 1e-3;
+    for (const double time : times) {
+        const double q = input.unit_discharge->at(time);
+        const double critical = critical_depth_of(c.normal_gravity(), q);
+        const double held = input.outflow_depth(q, time);
+        if (held >= (1.0 - rounding) * critical) continue;
+        const auto level = [&](double over_floor) { return shown_length(over_floor + floor - c.datum()); };
+        const std::string message = fmt::format(
+            "{} holds {} at the discharge of {:.4g} m2/s (t = {:.4g} s), whose critical depth is {}: water leaves at "
+            "the critical depth where nothing holds it back; {}, or choose [outflow] kind = \"critical-depth\" or, "
+            "for supercritical flow, \"free\"",
+            holding.what, level(held), q, time, level(critical), holding.cure);
+        if (holding.by_file) throw FileError(message);
+        throw InputError(message);
+    }
+}
+
+}  // namespace riffle::inline ends
