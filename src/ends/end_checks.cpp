@@ -66,21 +66,27 @@ void require_subcritical_outflow(const Case& c, const EndInput& input, double fl
             if (time > 0.0 && time < c.run.time) times.push_back(time);
         }
     }
+    const auto critical_at = [&](double time) {
+        return critical_depth_of(c.normal_gravity(), input.unit_discharge->at(time));
+    };
+    const auto held_at = [&](double time) {
+        return input.outflow_depth(input.unit_discharge->at(time), time);
+    };
+    // Where it lacks most; nothing is critical where nothing flows.
+    const double worst = *std::min_element(times.begin(), times.end(), [&](double a, double b) {
+        return held_at(a) * critical_at(b) < held_at(b) * critical_at(a);
+    });
     constexpr double rounding = 1e-3;
-    for (const double time : times) {
-        const double q = input.unit_discharge->at(time);
-        const double critical = critical_depth_of(c.normal_gravity(), q);
-        const double held = input.outflow_depth(q, time);
-        if (held >= (1.0 - rounding) * critical) continue;
-        const auto level = [&](double over_floor) { return shown_length(over_floor + floor - c.datum()); };
-        const std::string message = fmt::format(
-            "{} holds {} at the discharge of {:.4g} m2/s (t = {:.4g} s), whose critical depth is {}: water leaves at "
-            "the critical depth where nothing holds it back; {}, or choose [outflow] kind = \"critical-depth\" or, "
-            "for supercritical flow, \"free\"",
-            holding.what, level(held), q, time, level(critical), holding.cure);
-        if (holding.by_file) throw FileError(message);
-        throw InputError(message);
-    }
+    if (held_at(worst) >= (1.0 - rounding) * critical_at(worst)) return;
+    const auto level = [&](double over_floor) { return shown_length(over_floor + floor - c.datum()); };
+    const std::string message = fmt::format(
+        "{} holds {} at the discharge of {:.4g} m2/s (t = {:.4g} s), whose critical depth is {}: water leaves at "
+        "the critical depth where nothing holds it back; {}, or choose [outflow] kind = \"critical-depth\" or, "
+        "for supercritical flow, \"free\"",
+        holding.what, level(held_at(worst)), input.unit_discharge->at(worst), worst,
+        level(critical_at(worst)), holding.cure);
+    if (holding.by_file) throw FileError(message);
+    throw InputError(message);
 }
 
 }  // namespace riffle::inline ends

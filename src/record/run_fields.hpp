@@ -103,7 +103,7 @@ struct Summary {
         outcome("level_drift", "m", "last second's mean level less the first's", {.reader = Reader::users});
     Field surface_velocity = outcome(
         "surface_velocity", "m/s", "u of the topmost layer",
-        {.written = with_profiles,
+        {.written = with_profiles | level_surface,
          .note = "left out around bodies, and where the depths at open ends differ by a spacing: the topmost "
                  "layer is not at the surface everywhere"});
     Field velocity_error_above_rms = departure(

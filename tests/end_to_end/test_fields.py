@@ -28,7 +28,7 @@ z_to = "25 mm"
 '''
 CONDUIT = {"three_dimensions", "free_surface", "column_twin", "section_twin", "closure", "spheres", "asked", "end", "profiles", "slope"}
 # What hangs on the numbers of the run; it may be written, and may not.
-MAYBE = {"samples", "fitted"}
+MAYBE = {"samples", "fitted", "level_surface"}
 # Read, but not of runs as short and as calm as these; the tests of the analysis and of sweeps read them.
 ELSEWHERE = {
     ("/", "failure"): "a sweep, of runs that failed",

@@ -242,7 +242,7 @@ TEST_F(EndFiles, WhatRisesOverTheDomainIsRefused) {
     // Nor can an outflow hold less than the critical depth of the discharge, 34 mm, 6 of them below the
     // datum.
     c.outflow.depth_file = write("shallow.csv", "time [s],depth [mm]\n0,60\n9,20\n");
-    EXPECT_THAT(message_of(c), ::testing::HasSubstr("shallow.csv: its least depth is 20 mm"));
+    EXPECT_THAT(message_of(c), ::testing::HasSubstr("shallow.csv: it holds 20 mm"));
     c.outflow.depth_file = write("right.csv", "time [s],depth [mm]\n0,60\n9,40\n");
     EXPECT_EQ(message_of(c), "");
 }
