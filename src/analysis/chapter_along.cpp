@@ -123,6 +123,9 @@ void add_extreme(const LongProfile& profile, bool highest, Analysis& analysis) {
                      highest ? "highest mean level along the channel" : "lowest mean level along the channel",
                      "m", profile.level[at], profile.half_width[at]);
     finding.remark = fmt::format("above the bed level, at x = {:.4g} mm", 1000.0 * profile.x[at]);
+    if (std::count(profile.covered.begin(), profile.covered.end(), true) > 0) {
+        finding.remark += "; but for where a body lies on the water";
+    }
     analysis.findings.push_back(std::move(finding));
 }
 

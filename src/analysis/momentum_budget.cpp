@@ -85,28 +85,35 @@ std::vector<MomentumTerm> terms_between(const FlowRecord& record, const Case& c)
 }
 
 /// How well the residual is known: its interval, as that of the sum of the terms in time, and a thousandth of
-/// what presses on a section, which is what the sections know their pressure to (docs/open-ends.md).
-double uncertainty(const std::vector<MomentumTerm>& at_ends, const std::vector<MomentumTerm>& between) {
+/// what presses on a section, which is what the sections know their pressure to (docs/open-ends.md); nothing
+/// where the record is too short for an interval.
+std::optional<double> uncertainty(const std::vector<MomentumTerm>& at_ends,
+                                  const std::vector<MomentumTerm>& between) {
     std::vector<double> sum;
-    bool at_one_time = true;
     double pressing = 0.0;
-    double squares = 0.0;
-    const auto add = [&](const MomentumTerm& term) {
-        if (term.value.empty()) return;
-        squares += std::pow(trusted_half_width(mean_with_confidence(term.value)).value_or(0.0), 2);
-        if (sum.empty()) sum.resize(term.value.size(), 0.0);
-        at_one_time = at_one_time && sum.size() == term.value.size();
-        for (std::size_t i = 0; at_one_time && i < sum.size(); ++i) sum[i] += term.value[i];
-    };
-    for (const MomentumTerm& term : at_ends) {
-        add(term);
-        pressing = std::max(pressing, std::abs(mean_with_confidence(term.value).mean));
+    std::optional<double> squares = 0.0;  // of the intervals of the terms, for terms of other times
+    bool at_one_time = true;
+    for (const std::vector<MomentumTerm>* const terms : {&at_ends, &between}) {
+        for (const MomentumTerm& term : *terms) {
+            if (term.value.empty()) continue;
+            const MeanEstimate mean = mean_with_confidence(term.value);
+            if (terms == &at_ends) pressing = std::max(pressing, std::abs(mean.mean));
+            const std::optional<double> half_width = trusted_half_width(mean);
+            squares =
+                squares && half_width ? std::optional(*squares + *half_width * *half_width) : std::nullopt;
+            if (sum.empty()) sum.resize(term.value.size(), 0.0);
+            at_one_time = at_one_time && sum.size() == term.value.size();
+            for (std::size_t i = 0; at_one_time && i < sum.size(); ++i) sum[i] += term.value[i];
+        }
     }
-    for (const MomentumTerm& term : between) add(term);
+    std::optional<double> half_width;
+    if (at_one_time) {
+        half_width = trusted_half_width(mean_with_confidence(sum));
+    } else if (squares) {
+        half_width = std::sqrt(*squares);
+    }
     constexpr double known = 1e-3;
-    const double half_width =
-        at_one_time ? trusted_half_width(mean_with_confidence(sum)).value_or(0.0) : std::sqrt(squares);
-    return std::hypot(half_width, known * pressing);
+    return half_width ? std::optional(std::hypot(*half_width, known * pressing)) : std::nullopt;
 }
 
 /// Rate of change of the stored momentum over the window, between the means of its first and last tenth:
@@ -161,7 +168,7 @@ void add_momentum_budget(const FlowRecord& record, Analysis& analysis) {
                                     "momentum budget: what the water stored", unit, stored, std::nullopt));
     // The ends give as much as the forces take: half of both is what passes through the budget.
     const double size = 0.5 * (sizes + std::abs(ends));
-    const double known = uncertainty(at_ends, between);
+    const std::optional<double> known = uncertainty(at_ends, between);
     // Grains are pressed on too where the porosity changes, which nothing records.
     const bool grains = !c.porous.empty();
     Finding rest = make_finding(chapters::forces, "momentum_residual",
@@ -173,10 +180,11 @@ void add_momentum_budget(const FlowRecord& record, Analysis& analysis) {
     }
     findings.push_back(std::move(rest));
     if (size > 0.0 && !grains) {
-        findings.push_back(against(make_finding(chapters::forces, "momentum_residual_share",
-                                                "the same over what passes from the ends to the forces", "1",
-                                                sum / size, known / size),
-                                   0.0, "momentum balance"));
+        findings.push_back(
+            against(make_finding(chapters::forces, "momentum_residual_share",
+                                 "the same over what passes from the ends to the forces", "1", sum / size,
+                                 known ? std::optional(*known / size) : std::nullopt),
+                    0.0, "momentum balance"));
     }
     for (Finding& finding : findings) analysis.findings.push_back(std::move(finding));
 }

@@ -180,7 +180,7 @@ bool resolves_eddies(const Case& c) {
 
 bool has_level_surface(const Case& c, std::optional<double> inflow_depth,
                        std::optional<double> outflow_depth) {
-    if (has_bodies(c)) return false;
+    if (has_bodies(c) || c.channel.ends == Ends::walls) return false;
     return c.channel.ends != Ends::open ||
            (inflow_depth && outflow_depth && std::abs(*inflow_depth - *outflow_depth) < c.numerics.spacing);
 }

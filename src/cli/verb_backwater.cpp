@@ -213,7 +213,7 @@ ChannelControls controls_between_ends(const BackwaterArguments& a, const Case& c
             "What holds the depths at the ends is that of the case, [inflow] and [outflow].");
     } else {
         b.notes.emplace_back(
-            "Length, and what the options leave open at the ends, are those of the case with open ends.");
+            "What the options leave open, length and depths at the ends, is that of the case with open ends.");
     }
     return controls;
 }

@@ -26,7 +26,11 @@ Holding holding_of(const Case& c) {
     const Outflow& outflow = c.outflow;
     switch (outflow.kind) {
         case OutflowKind::depth:
-            if (outflow.depth_file.empty()) return {};  // a refusal of the case
+            if (outflow.depth_file.empty()) {
+                // One depth with one discharge is refused with the case.
+                if (c.inflow.discharge_file.empty()) return {};
+                return {"[outflow] depth: it", "make it deeper", false};
+            }
             return {outflow.depth_file.string() + ": it", "make it deeper", true};
         case OutflowKind::rating_curve:
             return {outflow.rating_file.string() + ": the rating curve", "make it deeper", true};
@@ -44,26 +48,36 @@ void require_profile_in_water(const Case& c, double floor) {
     if (c.inflow.profile != InflowProfile::file) return;
     const std::vector<double> heights = read_profile_record(c.inflow.profile_file).z;
     const double bottom = floor - c.datum();
-    if (heights.empty() || std::any_of(heights.begin(), heights.end(),
-                                       [&](double z) { return z >= bottom && z <= c.channel.depth; })) {
-        return;
-    }
+    const auto inside = std::count_if(heights.begin(), heights.end(),
+                                      [&](double z) { return z > bottom && z <= c.channel.depth; });
+    const auto all = static_cast<std::ptrdiff_t>(heights.size());
+    // A point at the bed alone tells of no unit.
+    if (inside >= 2 || inside == all) return;
     const auto [least, largest] = std::minmax_element(heights.begin(), heights.end());
     throw FileError(fmt::format(
-        "{}: its heights, {} to {} over the datum, all lie outside of the water, which reaches from {} to {}; say "
-        "their unit in the heading, as in \"z [mm]\", or correct them",
-        c.inflow.profile_file.string(), shown_length(*least), shown_length(*largest), shown_length(bottom),
-        shown_length(c.channel.depth)));
+        "{}: {} of its {} heights, {} to {} over the datum, lie outside of the water, which reaches from {} to {}; "
+        "say their unit in the heading, as in \"z [mm]\", or correct them",
+        c.inflow.profile_file.string(), all - inside, all, shown_length(*least), shown_length(*largest),
+        shown_length(bottom), shown_length(c.channel.depth)));
 }
 
 void require_subcritical_outflow(const Case& c, const EndInput& input, double floor) {
     const Holding holding = holding_of(c);
     if (holding.what.empty() || !input.unit_discharge || !input.outflow_depth) return;
-    std::vector<double> times{0.0, c.run.time};
+    std::vector<double> rows{0.0, c.run.time};
     for (const std::optional<TimeTable>* table : {&input.unit_discharge, &input.outflow_table}) {
         if (!*table) continue;
         for (const double time : (*table)->times()) {
-            if (time > 0.0 && time < c.run.time) times.push_back(time);
+            if (time > 0.0 && time < c.run.time) rows.push_back(time);
+        }
+    }
+    std::sort(rows.begin(), rows.end());
+    // Between two rows too: a rating curve has rows of its own, and the critical depth is no straight line.
+    constexpr int parts = 50;
+    std::vector<double> times{rows.front()};
+    for (std::size_t i = 0; i + 1 < rows.size(); ++i) {
+        for (int part = 1; part <= parts; ++part) {
+            times.push_back(rows[i] + (rows[i + 1] - rows[i]) * part / parts);
         }
     }
     const auto critical_at = [&](double time) {
@@ -72,7 +86,10 @@ void require_subcritical_outflow(const Case& c, const EndInput& input, double fl
     const auto held_at = [&](double time) {
         return input.outflow_depth(input.unit_discharge->at(time), time);
     };
-    // Where it lacks most; nothing is critical where nothing flows.
+    // Nothing is critical where nothing flows.
+    std::erase_if(times, [&](double time) { return !(critical_at(time) > 0.0); });
+    if (times.empty()) return;
+    // Where it lacks most.
     const double worst = *std::min_element(times.begin(), times.end(), [&](double a, double b) {
         return held_at(a) * critical_at(b) < held_at(b) * critical_at(a);
     });

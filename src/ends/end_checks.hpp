@@ -5,8 +5,9 @@
 
 namespace riffle::inline ends {
 
-/// Throws FileError where no height of [inflow] profile_file lies in the water at the inflow, as where they
-/// are in another unit than the heading says. \param floor what the water stands on at the inflow, m
+/// Throws FileError where fewer than two heights of [inflow] profile_file lie in the water at the inflow, as
+/// where they are in another unit than the heading says. \param floor what the water stands on at the inflow,
+/// m
 void require_profile_in_water(const Case& c, double floor);
 
 /// Throws InputError or FileError where a table, a weir or a rating curve holds the water at the outflow

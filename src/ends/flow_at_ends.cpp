@@ -180,7 +180,10 @@ std::vector<Instant> extreme_instants(const Case& c, const EndInput& input, doub
 /// there is no such flow.
 std::optional<double> depth_of_steady_flow(const Case& c, const EndInput& input, BedFlow& bed,
                                            const Instant& at) {
-    if (!(at.unit_discharge > 0.0)) return std::nullopt;
+    if (!(at.unit_discharge > 0.0)) {
+        // Still water is as high as the outflow holds it.
+        return std::max(0.0, at.outflow_depth - c.channel.slope * c.channel.length) - c.datum();
+    }
     try {
         const SteadyChannel& channel = bed.channel(at.unit_discharge);
         return solve_varied_reaches({{"", 0.0, c.channel.length, channel}},

@@ -136,16 +136,20 @@ class ChannelRows : public DiagnosticRows {
         const Finding* const found = finding("momentum_residual_share");
         if (found == nullptr) return;
         constexpr double bar = 0.02;
+        // Without an interval it is judged by its value alone, and not at all where what is known of it
+        // reaches over the bar.
         const double known = found->half_width.value_or(0.0);
         const double least = std::max(0.0, std::abs(found->value) - known);
+        const bool tells_nothing = least <= bar && known > bar;
         add({"momentum_budget", "Momentum between the ends that the budget leaves open",
-             fmt::format("{} ± {}", percent(found->value, 1), percent(known, 1)),
+             found->half_width ? fmt::format("{} ± {}", percent(found->value, 1), percent(known, 1))
+                               : percent(found->value, 1),
              fmt::format("0 ± {}, as far as it is known", percent(bar, 0)),
              "What flow and pressure bring in at one end and take out at the other, with the weight down the slope, bed, walls "
              "and bodies must take, the bodies by the pressure on their faces (form drag) and by friction. Over the "
              "sum of these forces; more in a flow that is not steady. It is known to its interval in time and to 0.1 % of "
              "what presses on a section: where the forces are small beside that, the budget tells little.",
-             changes_in_time() ? Health::none : mark_of(least, bar)});
+             changes_in_time() || tells_nothing ? Health::none : mark_of(least, bar)});
     }
 
     void bodies_share() {

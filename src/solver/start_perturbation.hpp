@@ -21,6 +21,7 @@ namespace riffle::inline solver {
 /// Where the eddies are resolved in a flow in space it carries the stress of the flow that is to come, for
 /// water whose eddies must grow first runs away from its bed: two thirds of its energy are those of streaks
 /// (StartStreaks), and each mode moves in the direction in which -u'w' is largest.
+/// Its root mean square is then start_perturbation() to a tenth, for streaks and modes may lean alike.
 template <int D>
 void perturb_velocity(const Case& c, Particles<D>& particles);
 

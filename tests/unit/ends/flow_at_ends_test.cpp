@@ -275,6 +275,18 @@ TEST(FlowAtEnds, AnOutflowBelowTheCriticalDepthIsRefused) {
     std::ofstream(c.outflow.depth_file) << "time [s],depth [m]\n0,0.06\n3,0.03\n9,0.06\n";
     EXPECT_THAT(error_of_ends(c),
                 HasSubstr("tide.csv: it holds 30 mm at the discharge of 0.03 m2/s (t = 3 s)"));
+    // So is one depth under a hydrograph, also one that begins with nothing.
+    std::ofstream(c.inflow.discharge_file) << "time [s],unit_discharge [m2/s]\n0,0\n3,0.03\n9,0.03\n";
+    c.outflow.depth_file.clear();
+    c.outflow.depth = 0.03;
+    EXPECT_THAT(error_of_ends(c), HasSubstr("[outflow] depth: it holds 30 mm"));
+    c.outflow.depth = 0.06;
+    EXPECT_EQ(error_of_ends(c), "");
+    // A rating curve has rows of its own between those of the hydrograph.
+    c.outflow.kind = OutflowKind::rating_curve;
+    std::ofstream(c.outflow.rating_file)
+        << "depth [m],unit_discharge [m2/s]\n0.001,0\n0.007,0.012\n0.06,0.014\n0.08,0.031\n";
+    EXPECT_THAT(error_of_ends(c), HasSubstr("the rating curve holds"));
 }
 
 // A supercritical inflow is told to need its depth.
@@ -313,9 +325,9 @@ TEST(FlowAtEnds, AProfileOfAPartOfTheDepthIsTold) {
                           "down to -6 mm, the bottom, its highest up to 50 mm, the surface"));
     std::ofstream(c.inflow.profile_file) << "z [mm],u [m/s]\n-5.5,0.1\n30,0.35\n49.5,0.4\n";
     EXPECT_THAT(text_of(c), Not(HasSubstr("profile")));
-    std::ofstream(c.inflow.profile_file) << "z,u\n20,0.3\n45,0.35\n";  // meant in mm, read in m
+    std::ofstream(c.inflow.profile_file) << "z,u\n0,0\n20,0.3\n45,0.35\n";  // meant in mm, read in m
     EXPECT_THAT(error_of_ends(c),
-                HasSubstr("its heights, 20 m to 45 m over the datum, all lie outside of the water"));
+                HasSubstr("2 of its 3 heights, 0 m to 45 m over the datum, lie outside of the water"));
 }
 
 TEST(FlowAtEnds, ADuctHasNoFroudeNumber) {
