@@ -28,6 +28,10 @@ namespace {
 struct LongProfile {
     std::vector<double> x, level, half_width, lowest, highest;
     std::vector<bool> covered;  ///< Whether a body lies on the water.
+
+    [[nodiscard]] bool covered_somewhere() const {
+        return std::find(covered.begin(), covered.end(), true) != covered.end();
+    }
 };
 
 LongProfile long_profile(const SpaceTime& surface) {
@@ -123,7 +127,7 @@ void add_extreme(const LongProfile& profile, bool highest, Analysis& analysis) {
                      highest ? "highest mean level along the channel" : "lowest mean level along the channel",
                      "m", profile.level[at], profile.half_width[at]);
     finding.remark = fmt::format("above the bed level, at x = {:.4g} mm", 1000.0 * profile.x[at]);
-    if (std::count(profile.covered.begin(), profile.covered.end(), true) > 0) {
+    if (profile.covered_somewhere()) {
         finding.remark += "; but for where a body lies on the water";
     }
     analysis.findings.push_back(std::move(finding));
@@ -301,7 +305,6 @@ void analyse_along(const FlowRecord& record, Analysis& analysis) {
     for (std::size_t i = 0; i < profile.x.size(); ++i) {
         profile.covered.push_back(is_covered(bodies, profile.x[i], profile.level[i], c.numerics.spacing));
     }
-    const bool covers = std::count(profile.covered.begin(), profile.covered.end(), true) > 0;
     for (Curve& body : body_curves(record, record.window().from, record.window().to)) {
         figure.curves.push_back(std::move(body));
     }
@@ -325,9 +328,11 @@ void analyse_along(const FlowRecord& record, Analysis& analysis) {
         analysis.findings.push_back(make_finding(chapters::along, "unit_discharge",
                                                  "discharge per unit width", "m2/s", discharge->mean,
                                                  trusted_half_width(*discharge)));
-        if (c.channel.ends == Ends::open) {
-            analysis.findings.back().remark =
-                "at the inflow; velocity, Froude number and energy line take it all along the channel, as in steady flow";
+        if (find_at_end(record, fields::flow_rate.flow_rate, 1) != nullptr) {
+            analysis.findings.back().remark = space
+                                                  ? "at the inflow"
+                                                  : "at the inflow; velocity, Froude number and energy line "
+                                                    "take it all along the channel, as in steady flow";
         }
     }
     if (discharge && discharge->mean > 0.0 && !space) {
@@ -338,7 +343,7 @@ void analyse_along(const FlowRecord& record, Analysis& analysis) {
             make_curve("critical level", Origin::theory, Mark::line, profile.x, heads->critical, 1));
         figure.caption +=
             " The energy line and the critical level take one velocity over the height of the water, q/h.";
-        if (covers) {
+        if (profile.covered_somewhere()) {
             figure.caption +=
                 " Where a body lies on the water there is no energy line: the pressure there is not that of a level.";
         }

@@ -12,6 +12,7 @@
 #include "hydraulics/log_law.hpp"
 #include "record/flow_fields.hpp"
 #include "solver/summary.hpp"
+#include "statistics/record.hpp"
 
 namespace riffle::inline analysis {
 
@@ -147,8 +148,7 @@ double surface_velocity(const FlowRecord& record) {
     if (record.flow() == nullptr || p.velocity.size() != p.z.size()) return 0.0;
     const auto depth_at = [&](const Field& field) -> std::optional<double> {
         const std::vector<double> depth = within_window(record, field);
-        if (depth.empty()) return std::nullopt;
-        return std::accumulate(depth.begin(), depth.end(), 0.0) / static_cast<double>(depth.size());
+        return depth.empty() ? std::nullopt : std::optional(mean_of(depth));
     };
     if (record.origin() == Origin::simulated &&
         !has_level_surface(*record.flow(), depth_at(fields::time_series.inflow_depth),

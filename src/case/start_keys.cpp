@@ -91,7 +91,7 @@ SectionKeys start_keys() {
                 "auto",
                 "a quarter of the friction velocity over spheres in two dimensions, where the flow then "
                 "starts in the state that lasts; all of it where eddies are resolved, two thirds of its energy "
-                "those of streaks along the flow, which make eddies; 0 elsewhere"));
+                "those of streaks along the flow, which make eddies, and it is right to a tenth; 0 elsewhere"));
     s.keys.push_back(key("seed", &Start::seed, "Seed of the random displacement and of the perturbation.")
                          .at_least(0)
                          .at_most(9007199254740991.0)

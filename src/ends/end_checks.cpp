@@ -64,13 +64,7 @@ void require_profile_in_water(const Case& c, double floor) {
 void require_subcritical_outflow(const Case& c, const EndInput& input, double floor) {
     const Holding holding = holding_of(c);
     if (holding.what.empty() || !input.unit_discharge || !input.outflow_depth) return;
-    std::vector<double> rows{0.0, c.run.time};
-    for (const std::optional<TimeTable>* table : {&input.unit_discharge, &input.outflow_table}) {
-        if (!*table) continue;
-        for (const double time : (*table)->times()) {
-            if (time > 0.0 && time < c.run.time) rows.push_back(time);
-        }
-    }
+    std::vector<double> rows = times_of_tables(c, input);
     std::sort(rows.begin(), rows.end());
     // Between two rows too: a rating curve has rows of its own, and the critical depth is no straight line.
     constexpr int parts = 50;

@@ -379,6 +379,17 @@ std::function<double(double)> start_depths(const Case& c, const EndInput& input)
     }
 }
 
+std::vector<double> times_of_tables(const Case& c, const EndInput& input) {
+    std::vector<double> times{0.0, c.run.time};
+    for (const std::optional<TimeTable>* table :
+         {&input.unit_discharge, &input.inflow_depth, &input.outflow_table}) {
+        if (!*table) continue;
+        std::copy_if((*table)->times().begin(), (*table)->times().end(), std::back_inserter(times),
+                     [&c](double time) { return time > 0.0 && time < c.run.time; });
+    }
+    return times;
+}
+
 ChannelControls controls_at_ends(const Case& c, const EndInput& input, const SteadyChannel& channel,
                                  double time) {
     ChannelControls controls{.length = c.channel.length, .upstream_depth = {}, .downstream_depth = {}};

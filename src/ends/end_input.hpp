@@ -45,6 +45,10 @@ struct EndExtremes {
 };
 [[nodiscard]] EndExtremes end_extremes(const Case& c, const EndInput& input);
 
+/// The beginning and the end of a run, and the times between them of all rows of the tables that its ends
+/// have, in no order: between two of them each table only rises or only falls.
+[[nodiscard]] std::vector<double> times_of_tables(const Case& c, const EndInput& input);
+
 /// What rules the steady varied flow between the ends as they are at a time, depths over the datum, of the
 /// channel with the discharge of that time.
 [[nodiscard]] ChannelControls controls_at_ends(const Case& c, const EndInput& input,

@@ -133,17 +133,9 @@ struct Instant {
 /// The instants of a run at which quantities of the ends are least and largest: among the rows of the tables,
 /// for between two of them each quantity only rises or only falls.
 std::vector<Instant> extreme_instants(const Case& c, const EndInput& input, double other_depth) {
-    std::vector<double> times{0.0, c.run.time};
-    for (const std::optional<TimeTable>* table :
-         {&input.unit_discharge, &input.inflow_depth, &input.outflow_table}) {
-        if (*table) {
-            std::copy_if((*table)->times().begin(), (*table)->times().end(), std::back_inserter(times),
-                         [&c](double time) { return time > 0.0 && time < c.run.time; });
-        }
-    }
     const double of_start = start_unit_discharge(c, input);
     std::vector<Instant> all;
-    for (const double time : times) {
+    for (const double time : times_of_tables(c, input)) {
         const double q = input.unit_discharge ? input.unit_discharge->at(time) : of_start;
         all.push_back({time, q, input.inflow_depth ? input.inflow_depth->at(time) : 0.0,
                        input.outflow_depth ? input.outflow_depth(q, time) : 0.0});
@@ -207,7 +199,8 @@ void add_depth(const Case& c, BedFlow& bed, double q, double depth, FlowAtEnd& e
 void add_characteristic_depths(const Case& c, BedFlow& bed, double q, FlowAtEnd& end) {
     const bool on_bed = end.floor == 0.0;
     end.critical_of_profile = on_bed && bed.has_channel();
-    widen(end.critical_depth, bed.critical(q, on_bed) - (on_bed ? c.datum() : 0.0));
+    // Water that does not flow is critical at no depth, and not below the datum.
+    widen(end.critical_depth, std::max(0.0, bed.critical(q, on_bed) - (on_bed ? c.datum() : 0.0)));
     if (!on_bed) return;
     if (const auto normal = bed.normal(q)) widen(end.normal_depth, *normal);
 }

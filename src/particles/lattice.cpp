@@ -8,6 +8,7 @@
 #include <stdexcept>
 
 #include "base/notice.hpp"
+#include "base/unit_fraction.hpp"
 #include "case/end_buffers.hpp"
 #include "case/end_levels.hpp"
 #include "case/outline.hpp"
@@ -204,9 +205,7 @@ Particles<D> lattice_particles(const Case& c, const std::function<double(double)
                      static_cast<std::size_t>(rows));
     std::mt19937_64 generator(static_cast<std::uint64_t>(c.start.seed));
     const auto displacement = [&](double spacing) {
-        // 53 random bits give the same number on every machine, unlike std::uniform_real_distribution.
-        const double unit = static_cast<double>(generator() >> 11U) * 0x1.0p-53;
-        return c.start.jitter * spacing * (2.0 * unit - 1.0);
+        return c.start.jitter * spacing * (2.0 * unit_fraction(generator()) - 1.0);
     };
     std::size_t i = 0;
     for (int column = 0; column < columns; ++column) {

@@ -7,6 +7,7 @@
 #include <numbers>
 
 #include "base/parallel.hpp"
+#include "base/unit_fraction.hpp"
 #include "engine/energy_spectrum.hpp"
 #include "particles/lattice.hpp"
 #include "statistics/fourier.hpp"
@@ -78,7 +79,7 @@ class ModeNumbers {
             state_ = next();
         }
     }
-    double operator()() { return static_cast<double>(next() >> 11U) * 0x1.0p-53; }
+    double operator()() { return unit_fraction(next()); }
 
   private:
     std::uint64_t next() {

@@ -8,6 +8,7 @@
 #include <random>
 #include <vector>
 
+#include "base/unit_fraction.hpp"
 #include "case/flow_kind.hpp"
 #include "solver/start_streaks.hpp"
 
@@ -76,7 +77,7 @@ class Modes {
         : space_(c.channel.dimensions == 3) {
         // As the jitter's, but another sequence of numbers.
         std::mt19937_64 generator(static_cast<std::uint64_t>(c.start.seed) ^ 0x9e3779b97f4a7c15ULL);
-        const auto unit = [&] { return static_cast<double>(generator() >> 11U) * 0x1.0p-53; };
+        const auto unit = [&] { return unit_fraction(generator()); };
         const bool round = c.channel.ends == Ends::periodic;
         const bool round_across = c.channel.sides == Sides::periodic;
         constexpr int number = 96;
@@ -140,13 +141,14 @@ void add_velocity(const Case& c, const Field& field, double root_mean_square, Pa
     const std::size_t n = particles.size();
     const double depth = c.total_depth();
     const double width = c.channel.simulated_width();
+    const bool with_streaks = starts_with_streaks(c);
     std::vector<Vec<D>> velocity(n);
     Vec<D> momentum{};
     double mass = 0.0;
     for (std::size_t i = 0; i < n; ++i) {
         const auto place = [&](std::size_t k) { return particles.position[k][i]; };
         const Vector3 x{place(0), D == 3 ? place(1) : 0.0, place(D - 1)};
-        const Envelope up = starts_with_streaks(c) ? flat_envelope(x[2], depth) : envelope(x[2], depth);
+        const Envelope up = with_streaks ? flat_envelope(x[2], depth) : envelope(x[2], depth);
         const Envelope along = c.channel.ends == Ends::walls ? envelope(x[0], c.channel.length) : Envelope{};
         Envelope across;
         if (D == 3 && c.channel.sides == Sides::walls) across = envelope(x[1], width);

@@ -6,6 +6,7 @@
 #include <numbers>
 #include <random>
 
+#include "base/unit_fraction.hpp"
 #include "case/flow_kind.hpp"
 
 namespace riffle::inline solver {
@@ -41,9 +42,7 @@ StartStreaks::StartStreaks(const Case& c, double depth, double width)
     meander_ = std::numbers::pi / (4.0 * across_);  // an eighth of a wave to either side
     // As the jitter's and the modes', but another sequence of numbers.
     std::mt19937_64 generator(static_cast<std::uint64_t>(c.start.seed) ^ 0xd1b54a32d192ed03ULL);
-    const auto phase = [&] {
-        return 2.0 * std::numbers::pi * (static_cast<double>(generator() >> 11U) * 0x1.0p-53);
-    };
+    const auto phase = [&] { return 2.0 * std::numbers::pi * unit_fraction(generator()); };
     phase_across_ = phase();
     phase_along_ = phase();
 }
