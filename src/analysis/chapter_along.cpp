@@ -11,6 +11,7 @@
 #include "analysis/bodies.hpp"
 #include "analysis/chapters.hpp"
 #include "analysis/figure_tools.hpp"
+#include "analysis/flood_passage.hpp"
 #include "base/error.hpp"
 #include "base/not_a_number.hpp"
 #include "case/flow_kind.hpp"
@@ -277,6 +278,7 @@ void analyse_along(const FlowRecord& record, Analysis& analysis) {
     if (record.flow() == nullptr || record.origin() != Origin::simulated) return;
     const Case& c = *record.flow();
     const bool space = c.channel.dimensions == 3;
+    const bool flood = has_hydrograph(c);
     Figure figure = make_figure(
         chapters::along, "long_profile", "Long profile",
         fmt::format(
@@ -329,13 +331,15 @@ void analyse_along(const FlowRecord& record, Analysis& analysis) {
                                                  "discharge per unit width", "m2/s", discharge->mean,
                                                  trusted_half_width(*discharge)));
         if (find_at_end(record, fields::flow_rate.flow_rate, 1) != nullptr) {
-            analysis.findings.back().remark = space
+            analysis.findings.back().remark = flood ? "at the inflow, mean of the flood"
+                                              : space
                                                   ? "at the inflow"
                                                   : "at the inflow; velocity, Froude number and energy line "
                                                     "take it all along the channel, as in steady flow";
         }
     }
-    if (discharge && discharge->mean > 0.0 && !space) {
+    // The means of a flood belong to no one discharge.
+    if (discharge && discharge->mean > 0.0 && !space && !flood) {
         heads = heads_of(c, profile, bodies, discharge->mean);
         figure.curves.push_back(make_curve("energy line, level + (q/h)²/(2g)", Origin::simulated, Mark::line,
                                            profile.x, heads->energy, 1));
@@ -349,9 +353,12 @@ void analyse_along(const FlowRecord& record, Analysis& analysis) {
         }
     }
     analysis.figures.push_back(std::move(figure));
-    add_extreme(profile, true, analysis);
-    add_extreme(profile, false, analysis);
+    if (!flood) {
+        add_extreme(profile, true, analysis);
+        add_extreme(profile, false, analysis);
+    }
     if (heads) add_velocity(profile, *heads, analysis);
+    add_flood_passage(record, analysis);
     if (c.channel.ends == Ends::open) add_ends(record, analysis);
 }
 

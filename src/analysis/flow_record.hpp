@@ -82,6 +82,7 @@ struct ScalarProbe {
     std::string label;
     std::string unit;
     std::vector<double> time, value;
+    std::optional<double> x = std::nullopt;  ///< place of the section along the channel, m; of others none
 };
 
 /// Plan maps of the surface of a three-dimensional run: elevation[(row * y.size() + iy) * x.size() + ix] at

@@ -9,6 +9,7 @@
 
 #include "analysis/chapter_names.hpp"
 #include "analysis/figure_tools.hpp"
+#include "analysis/running_means.hpp"
 #include "case/flow_kind.hpp"
 #include "statistics/confidence.hpp"
 
@@ -17,19 +18,6 @@ namespace riffle::inline analysis {
 namespace {
 
 constexpr double response_time = 0.003;  // s
-
-/// Means over `width` samples around each; at the ends over those that there are.
-std::vector<double> running_means(const std::vector<double>& values, std::size_t width) {
-    std::vector<double> sums(values.size() + 1, 0.0);
-    std::partial_sum(values.begin(), values.end(), sums.begin() + 1);
-    std::vector<double> means(values.size());
-    for (std::size_t i = 0; i < values.size(); ++i) {
-        const std::size_t first = i - std::min(i, width / 2);
-        const std::size_t last = std::min(values.size(), first + width);
-        means[i] = (sums[last] - sums[first]) / static_cast<double>(last - first);
-    }
-    return means;
-}
 
 }  // namespace
 
@@ -42,11 +30,7 @@ void add_gauges(const FlowRecord& record, Analysis& analysis) {
     int variant = 0;
     for (const ScalarProbe& probe : record.scalar_probes()) {
         if (probe.kind != "pressure" || probe.value.size() < 2) continue;
-        const double interval =
-            (probe.time.back() - probe.time.front()) / static_cast<double>(probe.time.size() - 1);
-        const auto width =
-            std::max<std::size_t>(1, static_cast<std::size_t>(std::lround(response_time / interval)));
-        const std::vector<double> means = running_means(probe.value, width);
+        const std::vector<double> means = running_means(probe.time, probe.value, response_time);
         // What rises and falls once has no mean that says anything.
         if (record.flow() != nullptr && !is_undriven(flow_kind(*record.flow()))) {
             const MeanEstimate mean = mean_with_confidence(probe.value);

@@ -240,6 +240,7 @@ void read_scalars(const RunResults& results, const ProbeGroup& group, const std:
             probe.unit = results.unit(place);
             probe.time = group.time();
             probe.value = group.of_point(values, points, i);
+            if (i < x.size()) probe.x = x[i];
             probes.scalars.push_back(std::move(probe));
         }
     }

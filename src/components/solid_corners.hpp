@@ -12,79 +12,168 @@
 
 namespace riffle::inline components {
 
-/// Where a solid stands on a plane wall, the particles of that wall behind its foot push the water before it
-/// too: across the wall for the wall, along it for the solid, whose face ends there. Without them the force
-/// on a gate lacks what the lowest quarter of a spacing carries.
+/// Where a solid stands on a plane wall, the particles of that wall push the water beside it too. Along the
+/// wall those behind its foot push for the solid, whose face ends there: without them the force on a gate
+/// lacks what the lowest quarter of a spacing carries. Across the wall they push water before the foot for
+/// the wall, but water that stands over the foot, as over the thin toe of a slope, through the solid. What
+/// the wall beside the foot does along itself to that water is halved (docs/theory.md 9).
 template <int D, class Real>
 class SolidCorners {
   public:
     using Flow = FlowOf<D, Real>;
 
-    /// Pairs of the water with particles of walls behind a solid, and along which axes their push is its own.
+    /// What of a force belongs to a solid: of its parts along the axes from none to all, and its friction.
+    struct Share {
+        Vec<3> along{};
+        bool rubs = false;
+
+        [[nodiscard]] bool any() const {
+            return along[0] != 0.0 || along[1] != 0.0 || along[2] != 0.0 || rubs;
+        }
+    };
+
+    /// Pairs of the water with particles of walls that stand behind the same planes.
     struct Part {
         NeighbourList list;
-        std::array<bool, 3> along{};
+        std::uint8_t planes = 0;   ///< as bits
+        bool behind_foot = false;  ///< just before these planes the solid is
     };
 
     explicit SolidCorners(const Case& c) : planes_(boundary_planes<D>(c)) {}
 
-    /// The parts of a solid at rest, of the pairs that `with_solid` says the clusters of the water to have
+    /// Find the parts of a solid at rest, of the clusters of the water that `with_solid` says to have pairs
     /// with it, when the lists are built.
     template <class WithSolid>
-    [[nodiscard]] std::vector<Part> find(const Flow& flow, const SolidSurfaces& surfaces, std::size_t solid,
-                                         const WithSolid& with_solid) const {
+    void find(const Flow& flow, const SolidSurfaces& surfaces, std::size_t solid,
+              const WithSolid& with_solid) {
+        find_water_over_foot(flow, surfaces, solid, with_solid);
         const NeighbourList& all = flow.fluid_wall;
-        // Axes across the walls that a particle stands behind, as bits, under the solid; 0: none.
-        std::vector<std::uint8_t> across(flow.wall_clusters.slots(), unknown);
-        std::vector<std::uint8_t> kinds;
+        std::vector<int> kinds(flow.wall_clusters.slots(), unknown);
+        std::vector<int> found;
         const auto for_walls = [&](const auto& f) {
             for (std::size_t cluster = 0; cluster < all.size(); ++cluster) {
                 if (with_solid(cluster)) for_listed_slots(all, cluster, f);
             }
         };
         for_walls([&](std::size_t, std::size_t slot) {
-            if (across[slot] == unknown) across[slot] = axes_across(flow, surfaces, solid, slot);
-            const std::uint8_t kind = across[slot];
-            const bool known = std::find(kinds.begin(), kinds.end(), kind) != kinds.end();
-            if (kind != 0 && !known) kinds.push_back(kind);
+            int& kind = kinds[slot];
+            if (kind != unknown) return;
+            kind = kind_of(flow, surfaces, solid, slot);
+            if (kind != none && std::find(found.begin(), found.end(), kind) == found.end()) {
+                found.push_back(kind);
+            }
         });
-        std::vector<Part> parts;
-        for (const std::uint8_t kind : kinds) {
-            Part part{all, {}};
+        parts_.clear();
+        for (const int kind : found) {
+            Part part{
+                .list = all, .planes = static_cast<std::uint8_t>(kind / 2), .behind_foot = kind % 2 == 1};
             std::fill(part.list.masks.begin(), part.list.masks.end(), std::uint8_t{0});
             for_walls([&](std::size_t mask, std::size_t slot) {
-                if (across[slot] != kind) return;
+                if (kinds[slot] != kind) return;
                 part.list.masks[mask] = static_cast<std::uint8_t>(
                     part.list.masks[mask] | (all.masks[mask] & 1U << slot % cluster_size));
             });
-            for (std::size_t axis = 0; axis < 3; ++axis) part.along[axis] = (kind & 1U << axis) == 0;
-            parts.push_back(std::move(part));
+            parts_.push_back(std::move(part));
         }
-        return parts;
+    }
+
+    [[nodiscard]] const std::vector<Part>& parts() const { return parts_; }
+
+    /// What a part does to the particle in a slot that belongs to the solid.
+    [[nodiscard]] Share share(const Part& part, std::size_t slot) const {
+        const unsigned through = part.planes & over_[slot];
+        const double along = part.behind_foot ? 1.0 : through != 0 ? from_beside : 0.0;
+        Share share{.along = {along, along, along}, .rubs = through == part.planes};
+        for (std::size_t plane = 0; plane < planes_.size(); ++plane) {
+            if ((part.planes & 1U << plane) == 0) continue;
+            share.along[axis_of(plane)] = (through & 1U << plane) != 0 ? 1.0 : 0.0;
+        }
+        return share;
+    }
+
+    [[nodiscard]] std::size_t bytes() const {
+        std::size_t sum = over_.capacity();
+        for (const Part& part : parts_) sum += part.list.bytes();
+        return sum;
     }
 
   private:
-    static constexpr std::uint8_t unknown = 255;
+    static constexpr int unknown = -2;
+    static constexpr int none = -1;
+    static constexpr std::array<double, 2> shares = {0.01, 0.25};
+    static constexpr double from_beside = 0.5;
 
-    [[nodiscard]] std::uint8_t axes_across(const Flow& flow, const SolidSurfaces& surfaces, std::size_t solid,
-                                           std::size_t slot) const {
-        if (flow.wall_clusters.particle_of(slot) < 0) return 0;
-        const auto particle = static_cast<std::size_t>(flow.wall_clusters.particle_of(slot));
-        if (!flow.walls.body.empty() && flow.walls.body[particle] != resting_body) return 0;
-        Vec<D> place = vector_of(flow.walls.position, particle);
-        std::uint8_t kind = 0;
-        for (const BoundaryPlane& plane : planes_) {
-            if (plane.distance<D>(place) > 0.0) continue;
-            // Just before the wall.
-            place[plane.axis] = plane.place + plane.inward * 0.25 * flow.c.numerics.spacing;
-            // In two dimensions the second axis is z.
-            const std::size_t axis = D == 2 && plane.axis == 1 ? 2 : plane.axis;
-            kind = static_cast<std::uint8_t>(kind | 1U << axis);
+    /// In space: in two dimensions the second axis is z.
+    [[nodiscard]] std::size_t axis_of(std::size_t plane) const {
+        return D == 2 && planes_[plane].axis == 1 ? 2 : planes_[plane].axis;
+    }
+
+    /// A place moved before a plane, by a share of the spacing.
+    [[nodiscard]] Vec<D> moved_before(const Flow& flow, const BoundaryPlane& plane, Vec<D> place,
+                                      double share) const {
+        place[plane.axis] = plane.place + plane.inward * share * flow.c.numerics.spacing;
+        return place;
+    }
+
+    /// Whether the solid stands on planes at a place: just before them, where a thin toe is, or a quarter of
+    /// a spacing before them, where one is that the planes do not quite touch.
+    [[nodiscard]] bool stands_on(const Flow& flow, const SolidSurfaces& surfaces, std::size_t solid,
+                                 unsigned planes, const Vec<D>& place) const {
+        return std::any_of(shares.begin(), shares.end(), [&](double share) {
+            Vec<D> before = place;
+            for (std::size_t plane = 0; plane < planes_.size(); ++plane) {
+                if ((planes & 1U << plane) != 0) before = moved_before(flow, planes_[plane], before, share);
+            }
+            return surfaces.contains(solid, in_space_of<D>(before));
+        });
+    }
+
+    /// For each particle of the water the planes on which the solid stands below it. By the listed positions,
+    /// so that a resumed run finds the same.
+    template <class WithSolid>
+    void find_water_over_foot(const Flow& flow, const SolidSurfaces& surfaces, std::size_t solid,
+                              const WithSolid& with_solid) {
+        const Clusters<D>& clusters = flow.clusters;
+        over_.assign(clusters.size() * cluster_size, 0);
+        present_ = 0;
+        for (std::size_t cluster = 0; cluster < clusters.size(); ++cluster) {
+            if (!with_solid(cluster)) continue;
+            for (std::size_t slot = cluster * cluster_size; slot < (cluster + 1) * cluster_size; ++slot) {
+                Vec<D> place{};
+                for (std::size_t k = 0; k < Flow::axes; ++k) {
+                    place[k] = flow.fixed_point.decode(clusters.slot_position[k][slot], k);
+                }
+                for (std::size_t plane = 0; plane < planes_.size(); ++plane) {
+                    if (!stands_on(flow, surfaces, solid, 1U << plane, place)) continue;
+                    over_[slot] = static_cast<std::uint8_t>(over_[slot] | 1U << plane);
+                }
+                present_ = static_cast<std::uint8_t>(present_ | over_[slot]);
+            }
         }
-        return kind != 0 && surfaces.contains(solid, in_space_of<D>(place)) ? kind : std::uint8_t{0};
+    }
+
+    /// Twice the planes that a particle of a wall stands behind, as bits, and one where the solid stands just
+    /// before them; `none` where it matters to no particle of the water.
+    [[nodiscard]] int kind_of(const Flow& flow, const SolidSurfaces& surfaces, std::size_t solid,
+                              std::size_t slot) const {
+        if (flow.wall_clusters.particle_of(slot) < 0) return none;
+        const auto particle = static_cast<std::size_t>(flow.wall_clusters.particle_of(slot));
+        if (!flow.walls.body.empty() && flow.walls.body[particle] != resting_body) return none;
+        const Vec<D> place = vector_of(flow.walls.position, particle);
+        unsigned behind = 0;
+        for (std::size_t plane = 0; plane < planes_.size(); ++plane) {
+            if (planes_[plane].template distance<D>(place) <= 0.0) behind |= 1U << plane;
+        }
+        if (behind == 0) return none;
+        const bool behind_foot = stands_on(flow, surfaces, solid, behind, place);
+        if (!behind_foot && (behind & present_) == 0) return none;
+        return static_cast<int>(2 * behind) + (behind_foot ? 1 : 0);
     }
 
     std::vector<BoundaryPlane> planes_;
+    std::vector<Part> parts_;
+    std::vector<std::uint8_t> over_;  ///< by slot of the water, planes as bits
+    std::uint8_t present_ = 0;        ///< all of these together
 };
 
 }  // namespace riffle::inline components

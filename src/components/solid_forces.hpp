@@ -29,9 +29,8 @@ class SolidForces final : public Component<D, Real> {
 
     explicit SolidForces(const Flow& flow)
         : surfaces_(flow.c),
-          corners_(flow.c),
           lists_(flow.c.solids.size()),
-          parts_(flow.c.solids.size()),
+          corners_(flow.c.solids.size(), SolidCorners<D, Real>(flow.c)),
           feet_(flow.c.solids.size()),
           listed_(flow.c.solids.size(), -1) {
         const Case& c = flow.c;
@@ -67,11 +66,15 @@ class SolidForces final : public Component<D, Real> {
             if (!wanted(flow, solid)) continue;
             work.fluid_fluid = &no_list_;
             add_pairs(flow, work, lists_[solid], solid, begin, end, [&](std::size_t first, std::size_t last) {
-                add_clusters(flow, work.force, solid, first, last, {true, true, true}, true, sum);
+                add_clusters(
+                    flow, work.force, solid, first, last, [](std::size_t) { return whole; }, sum);
             });
-            for (const auto& part : parts_[solid]) {
+            const SolidCorners<D, Real>& corners = corners_[solid];
+            for (const auto& part : corners.parts()) {
                 add_pairs(flow, work, part.list, solid, begin, end, [&](std::size_t first, std::size_t last) {
-                    add_clusters(flow, work.force, solid, first, last, part.along, false, sum);
+                    add_clusters(
+                        flow, work.force, solid, first, last,
+                        [&](std::size_t slot) { return corners.share(part, slot); }, sum);
                 });
             }
         }
@@ -98,13 +101,15 @@ class SolidForces final : public Component<D, Real> {
     [[nodiscard]] std::size_t bytes() const override {
         std::size_t sum = block_forces_.capacity() * sizeof(ForceOnSolid);
         for (std::size_t solid = 0; solid < lists_.size(); ++solid) {
-            sum += lists_[solid].bytes() + feet_[solid].bytes();
-            for (const auto& part : parts_[solid]) sum += part.list.bytes();
+            sum += lists_[solid].bytes() + feet_[solid].bytes() + corners_[solid].bytes();
         }
         return sum;
     }
 
   private:
+    using Share = typename SolidCorners<D, Real>::Share;
+    static constexpr Share whole{{1.0, 1.0, 1.0}, true};
+
     [[nodiscard]] bool wanted(const Flow& flow, std::size_t solid) const {
         return flow.keep_fields || free_[solid];
     }
@@ -161,8 +166,8 @@ class SolidForces final : public Component<D, Real> {
         keep_solid(flow, first_solid + static_cast<std::int32_t>(solid), lists_[solid]);
         feet_[solid].find(flow, surfaces_, solid, flow.bodies_listed()[first_solid + solid], lists_[solid]);
         if (flow.c.solids[solid].rests()) {
-            parts_[solid] = corners_.find(flow, surfaces_, solid,
-                                          [&](std::size_t cluster) { return feet_[solid].has(cluster); });
+            corners_[solid].find(flow, surfaces_, solid,
+                                 [&](std::size_t cluster) { return feet_[solid].has(cluster); });
         }
     }
 
@@ -186,15 +191,18 @@ class SolidForces final : public Component<D, Real> {
         for (std::size_t axis = 0; axis < 3; ++axis) force.friction_moment[axis] += factor * spin[axis];
     }
 
-    /// The sums of clusters that have pairs with a solid: their pressure along some axes, and their friction.
+    /// The sums of clusters that have pairs with a solid, of each particle the share of the slot.
+    template <class ShareOfSlot>
     void add_clusters(const Flow& flow, const ForceResult<D, Real>& force, std::size_t solid,
-                      std::size_t begin, std::size_t end, const std::array<bool, 3>& along, bool rubs,
+                      std::size_t begin, std::size_t end, const ShareOfSlot& share_of,
                       ForceOnSolid& sum) const {
         const BodyState& body = body_of(flow, solid);
         const auto add = [](std::array<double, 3>& part, const Vec<3>& v) {
             for (std::size_t axis = 0; axis < 3; ++axis) part[axis] += v[axis];
         };
         flow.for_particles(begin, end, [&](std::size_t i, std::size_t lane) {
+            const Share share = share_of(begin * cluster_size + lane);
+            if (!share.any()) return;
             // What pushes the water one way pushes the solid the other.
             const double factor = -flow.particles.mass[i] * flow.force_factor(i);
             Vec<D> pressure{};
@@ -204,14 +212,14 @@ class SolidForces final : public Component<D, Real> {
                 friction[k] = factor * static_cast<double>(force.viscous[k][lane]);
             }
             Vec<3> push = in_space_of<D>(pressure);
-            for (std::size_t axis = 0; axis < 3; ++axis) push[axis] *= along[axis] ? 1.0 : 0.0;
+            for (std::size_t axis = 0; axis < 3; ++axis) push[axis] *= share.along[axis];
             add(sum.pressure, push);
             const std::size_t cluster = begin + lane / cluster_size;
             const Vec<3> place = body.place_at_start(in_space_of<D>(vector_of(flow.particles.position, i)));
             const Vec<3> arm =
                 body.turned(feet_[solid].arm(surfaces_, cluster, lane % cluster_size, place, points_[solid]));
             add(sum.pressure_moment, cross(arm, push));
-            if (!rubs) return;
+            if (!share.rubs) return;
             add(sum.friction, in_space_of<D>(friction));
             add(sum.friction_moment, cross(arm, in_space_of<D>(friction)));
         });
@@ -232,16 +240,14 @@ class SolidForces final : public Component<D, Real> {
     }
 
     SolidSurfaces surfaces_;
-    SolidCorners<D, Real> corners_;
     std::vector<Vec<3>> points_;   ///< of each solid, the one that its moments are about, at t = 0
     std::vector<double> volumes_;  ///< of those that turn and hold the water, m3; else 0
     std::vector<bool> free_;
     /// Of free bodies alone: beside a wall that turns the pressure of the pairs takes a part of the friction.
     std::vector<std::optional<RoundBody>> round_;
-    std::vector<NeighbourList> lists_;  ///< of FlowOf::fluid_wall, the pairs with each solid
-    /// Of solids at rest, the pairs with walls behind their feet.
-    std::vector<std::vector<typename SolidCorners<D, Real>::Part>> parts_;
-    NeighbourList no_list_;  ///< without any neighbour, for as many clusters
+    std::vector<NeighbourList> lists_;            ///< of FlowOf::fluid_wall, the pairs with each solid
+    std::vector<SolidCorners<D, Real>> corners_;  ///< of solids at rest
+    NeighbourList no_list_;                       ///< without any neighbour, for as many clusters
     std::vector<SolidFeet<D, Real>> feet_;
     std::vector<std::int64_t> listed_;           ///< SimulationClock::list_builds of each list
     std::vector<ForceOnSolid> block_forces_;     ///< by block and solid

@@ -164,6 +164,30 @@ void judge_uniform(const ReportData& data, const std::vector<SummaryRow>& quanti
     if (!mean.column) add_why_no_twin(data.flow, verdict);
 }
 
+/// What came in and went out of a flood; nothing of a flow without a hydrograph.
+void judge_flood(const std::vector<SummaryRow>& quantities, Verdict& verdict) {
+    std::vector<const SummaryRow*> crests;
+    for (const SummaryRow& row : quantities) {
+        if (row.key.rfind("flood_discharge_", 0) == 0 && row.simulated) crests.push_back(&row);
+    }
+    if (crests.empty()) return;
+    std::string text = "A flood passes:";
+    const char* joint = " ";
+    const std::size_t last = crests.size() - 1;
+    for (const std::size_t n : last > 0 ? std::vector<std::size_t>{0, last} : std::vector<std::size_t>{0}) {
+        const SummaryRow& row = *crests[n];
+        std::string name = row.label;
+        name.front() = 'l';
+        text += fmt::format("{}{} {:.4g} {}", joint, name, row.factor * row.simulated->value, row.unit);
+        joint = ", ";
+    }
+    if (const auto level =
+            quantity_text(quantities, "flood_highest_level", "highest level recorded along the channel")) {
+        text += joint + *level;
+    }
+    verdict.sentences.push_back(text + ".");
+}
+
 void judge_bodies(const ReportData& data, const std::vector<SummaryRow>& quantities, Verdict& verdict) {
     const bool bodies_stand = !data.flow.solids.empty();
     std::string text = bodies_stand ? "Mean flow around the bodies:" : "Mean flow along the channel:";
@@ -179,6 +203,7 @@ void judge_bodies(const ReportData& data, const std::vector<SummaryRow>& quantit
         }
     }
     verdict.sentences.push_back(text + ".");
+    judge_flood(quantities, verdict);
     const SummaryRow* const bodies = find_quantity(quantities, "solid_force_share");
     if (bodies != nullptr && bodies->simulated) {
         verdict.sentences.push_back(fmt::format("The bodies take {:.1f} % of the water's weight component.",
