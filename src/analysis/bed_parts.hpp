@@ -14,6 +14,7 @@ namespace riffle::inline analysis {
 /// Values over the width, averaged over a period of the bed's elements, with their intervals.
 struct Distribution {
     std::vector<double> y, value, period_mean, half_width;
+    bool of_elements = false;  ///< the bed has elements, over whose period the means are
     Estimate mean;
 };
 
@@ -32,9 +33,6 @@ void add_departure(const Distribution& d, double uniform, const char* key, const
 
 /// The curve of Yang & Lim's stress on the bed; nothing without side walls.
 void add_yang_lim(const Case& c, Figure& figure);
-
-/// "distance from the side wall y".
-[[nodiscard]] Axis across_axis();
 
 /// The stress near the bed across the channel: of a run, or measured points alone.
 void add_bed_stress(const FlowRecord& record, Analysis& analysis);

@@ -10,6 +10,7 @@
 #include "analysis/section_parts.hpp"
 #include "analysis/section_points.hpp"
 #include "base/not_a_number.hpp"
+#include "case/bed_friction.hpp"
 #include "hydraulics/profile_comparison.hpp"
 #include "hydraulics/secondary_flow_laws.hpp"
 #include "roughness/side_wall_partition.hpp"
@@ -44,6 +45,12 @@ void add_cells(const Distribution& d, double scale, const Case& c, Figure& figur
         analysis.warnings.push_back("cells in the bed stress (2.29): " + fit.why_not);
         return;
     }
+    // A cell that three of the field's do not resolve is none.
+    if (y.size() < 2 || fit.cell_width.value < 3.0 * (y[1] - y[0])) {
+        analysis.warnings.emplace_back(
+            "cells in the bed stress (2.29): none, the fit follows the scatter from place to place");
+        return;
+    }
     Finding finding = against(
         make_finding(chapters::bed, "bed_stress_undulation",
                      "undulation of the bed stress over its mean, by cells (2.29)", "1", fit.amplitude),
@@ -61,13 +68,14 @@ void add_cells(const Distribution& d, double scale, const Case& c, Figure& figur
     figure.curves.push_back(std::move(curve));
 }
 
-/// Reynolds stresses that were measured across the channel near the thesis' height, over the uniform value.
-void add_measured_stress(const FlowRecord& record, double uniform, const Distribution* simulated,
+/// Reynolds stresses that were measured across the channel near a height over the bed level, over the uniform
+/// value there.
+void add_measured_stress(const FlowRecord& record, double z, double uniform, const Distribution* simulated,
                          Figure& figure, Analysis& analysis) {
     constexpr double near = 0.004;  // m
     const Case& c = *record.flow();
     for (const MeasuredRow& row : measured_rows(points_beside(record))) {
-        if (std::abs(row.z - c.datum() - thesis_height) > near) continue;
+        if (std::abs(row.z - z) > near) continue;
         Curve curve =
             make_curve(fmt::format("measured {:.3g} mm above the datum", 1000.0 * (row.z - c.datum())),
                        Origin::measured, Mark::points, {}, {});
@@ -104,11 +112,18 @@ std::size_t row_at(const MeanFlow& field, double z) {
     return nearest;
 }
 
-/// The stress at the thesis' height over the datum.
+/// Height over the bed level at which the stress is taken, m: the thesis', but above the layer in which the
+/// friction of a plane bed acts, where a part of the stress is with the bed already.
+double stress_height(const Case& c) {
+    const double lowest = has_wall_law(c) ? top_of_bed_friction(c) + 0.5 * c.numerics.spacing : 0.0;
+    return std::max(c.datum() + thesis_height, lowest);
+}
+
+/// The stress at that height.
 void add_simulated(const FlowRecord& record, Analysis& analysis) {
     const MeanFlow& field = record.mean_field();
     const Case& c = *record.flow();
-    const std::size_t iz = row_at(field, c.datum() + thesis_height);
+    const std::size_t iz = row_at(field, stress_height(c));
     const double z = field.z[iz];
     const double rho = c.fluid.density;
     const double uniform = rho * c.streamwise_gravity() * (c.total_depth() - z);
@@ -120,7 +135,7 @@ void add_simulated(const FlowRecord& record, Analysis& analysis) {
             "% intervals. Yang & Lim: the weight of the water above each place of the bed up to the line "
             "that divides the bed's water from the walls'.",
             1000.0 * (z - c.datum()), uniform),
-        "thesis chapter 5, lateral distribution of the bed stress", across_axis(),
+        "thesis chapter 5, lateral distribution of the bed stress", across_axis(c),
         make_axis("stress over the uniform value", "1"));
     const Distribution d = distribution_of(field, c, [&](const FieldSums& section) {
         const std::vector<double> stress = total_stress(section, rho, false);
@@ -135,7 +150,7 @@ void add_simulated(const FlowRecord& record, Analysis& analysis) {
         figure.curves.push_back(
             make_curve("section twin", Origin::column, Mark::line, twin.y, std::move(stress)));
     }
-    add_measured_stress(record, uniform, &d, figure, analysis);
+    add_measured_stress(record, z, uniform, &d, figure, analysis);
     add_cells(d, uniform, c, figure, analysis);
     add_yang_lim(c, figure);
     figure.curves.push_back(make_curve("wide channel", Origin::reference, Mark::line,
@@ -160,9 +175,9 @@ void add_measured(const FlowRecord& record, Analysis& analysis) {
         fmt::format("Measured Reynolds stress over the uniform value rho g S0 (H - z) = {:.4g} Pa of a wide "
                     "channel, {:.3g} mm above the datum.",
                     uniform, 1000.0 * thesis_height),
-        "thesis Figs 3.3, 5.20(e) and 5.22(e)", across_axis(),
+        "thesis Figs 3.3, 5.20(e) and 5.22(e)", across_axis(c),
         make_axis("stress over the uniform value", "1"));
-    add_measured_stress(record, uniform, nullptr, figure, analysis);
+    add_measured_stress(record, c.datum() + thesis_height, uniform, nullptr, figure, analysis);
     if (figure.curves.empty()) return;
     add_yang_lim(c, figure);
     analysis.figures.push_back(std::move(figure));
@@ -170,11 +185,10 @@ void add_measured(const FlowRecord& record, Analysis& analysis) {
 
 }  // namespace
 
-Axis across_axis() { return make_axis("distance from the side wall y", "m"); }
-
 Distribution distribution_of(const MeanFlow& field, const Case& c, const SectionEstimator& estimator) {
     const double period = lattice_period_across(c).value_or(0.0);
     Distribution result;
+    result.of_elements = period > 0.0;
     result.y = field.y;
     result.value = section_estimates(field, estimator).value;
     const FieldEstimates smooth = section_estimates(
@@ -199,11 +213,13 @@ void add_distribution(const Distribution& d, double scale, Figure& figure) {
         for (double& value : values) value /= scale;
         return values;
     };
-    Curve cells = make_curve("cells", Origin::simulated, Mark::line, d.y, over(d.value));
-    cells.variant = 4;
-    figure.curves.push_back(std::move(cells));
-    Curve mean = make_curve("mean over a period of the spheres", Origin::simulated, Mark::line_and_points,
-                            d.y, over(d.period_mean));
+    if (d.of_elements) {
+        Curve cells = make_curve("cells", Origin::simulated, Mark::line, d.y, over(d.value));
+        cells.variant = 4;
+        figure.curves.push_back(std::move(cells));
+    }
+    Curve mean = make_curve(d.of_elements ? "mean over a period of the spheres" : "simulated",
+                            Origin::simulated, Mark::line_and_points, d.y, over(d.period_mean));
     if (std::isfinite(d.half_width.front())) mean.y_half_width = over(d.half_width);
     figure.curves.push_back(std::move(mean));
 }
@@ -220,7 +236,8 @@ void add_departure(const Distribution& d, double uniform, const char* key, const
     }
     Finding finding = against(make_finding(chapters::bed, key, what, "1", most), thesis,
                               "thesis, 3D: up to 26 % near the wall");
-    finding.remark = fmt::format("at y = {:.4g} mm, of means over a period of the spheres", 1000.0 * where);
+    finding.remark = fmt::format("at y = {:.4g} mm{}", 1000.0 * where,
+                                 d.of_elements ? ", of means over a period of the spheres" : "");
     analysis.findings.push_back(std::move(finding));
 }
 

@@ -322,7 +322,7 @@ void analyse_along(const FlowRecord& record, Analysis& analysis) {
     figure.curves.push_back(
         make_curve("highest level", Origin::reference, Mark::line, profile.x, profile.highest, 2));
 
-    if (c.channel.ends == Ends::open) compare_with_varied_flow(record, profile, figure, analysis);
+    if (c.channel.ends == Ends::open && !flood) compare_with_varied_flow(record, profile, figure, analysis);
 
     const std::optional<MeanEstimate> discharge = canal ? std::nullopt : unit_discharge(record);
     std::optional<Heads> heads;

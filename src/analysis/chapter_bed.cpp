@@ -48,7 +48,7 @@ void add_drag(const FlowRecord& record, Analysis& analysis) {
         fmt::format("Drag of the bed's elements per plan area, over rho g S0 H = {:.4g} Pa, the weight "
                     "component on it; bars: 95 % intervals. The rows of spheres show in the cells.",
                     uniform),
-        "thesis chapter 5, bed stress from the drag", across_axis(),
+        "thesis chapter 5, bed stress from the drag", across_axis(c),
         make_axis("drag per plan area over rho g S0 H", "1"));
     const double height = field.cell_height();
     const Distribution d = distribution_of(field, c, [&](const FieldSums& section) {
@@ -171,10 +171,10 @@ void add_maps(const FlowRecord& record, Analysis& analysis) {
     };
     add("drag_plan_map", "Drag of the bed in plan",
         "Force of the bed's elements on the water per plan area, summed over the depth.", along,
-        across_axis(), field.x, field.y, field.plan(),
+        across_axis(c), field.x, field.y, field.plan(),
         field.cell_height() * static_cast<double>(field.z.size()), "Pa", true);
     add("drag_section_map", "Drag of the bed over the cross-section",
-        "Force of the bed's elements on the water per volume, mean over the length.", across_axis(), height,
+        "Force of the bed's elements on the water per volume, mean over the length.", across_axis(c), height,
         field.y, field.z, field.section(), 1.0, "N/m3", false);
     add("drag_side_map", "Drag of the bed along the channel",
         "Force of the bed's elements on the water per volume, mean over the width.", along, height, field.x,
@@ -197,7 +197,7 @@ void analyse_bed(const FlowRecord& record, Analysis& analysis) {
     if (record.mean_field().empty() || c.channel.slope <= 0.0) {
         add_missing(record, analysis,
                     make_figure(chapters::bed, "bed_stress_distribution", "Bed stress across the channel", "",
-                                "", across_axis(), make_axis("stress over the uniform value", "1")),
+                                "", across_axis(c), make_axis("stress over the uniform value", "1")),
                     c.channel.slope <= 0.0 ? "the channel has no slope, so no stress to compare with"
                                            : "the results file holds no window of the mean field within the "
                                              "averaging window");

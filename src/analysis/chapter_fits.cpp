@@ -68,6 +68,7 @@ void add_log_law(const FlowRecord& record, const FittedFlow& flow, Figure& laws,
     const auto value = [](double best, double half_width, const Interval& interval) {
         return FittedValue{best, half_width, interval};
     };
+    const std::optional<double> given = has_rough_bed(c) ? std::nullopt : c.bed.equivalent_roughness;
     analysis.findings.push_back(against(
         fitted(
             "log_law_friction_velocity", "friction velocity u*, log-law fit", "m/s",
@@ -77,17 +78,21 @@ void add_log_law(const FlowRecord& record, const FittedFlow& flow, Figure& laws,
         against(fitted("equivalent_roughness", "equivalent sand roughness ks, log-law fit", "m",
                        value(fit.equivalent_roughness, fit.equivalent_roughness_half_width,
                              fit.equivalent_roughness_interval)),
-                c.measured.equivalent_roughness, measured_name(c)));
+                given ? given : c.measured.equivalent_roughness, given ? "of the bed" : measured_name(c)));
     analysis.findings.push_back(make_finding(chapters::fits, "log_law_residual",
                                              "rms residual of the log law", "m/s", fit.residual_rms));
     const LogLawFit free = fit_log_law_with_zero_plane(flow.points, log_law_kappa, flow.log_law_range);
-    if (free.valid && (free.zero_plane < 0.0 || free.zero_plane > c.crest())) {
+    // Heights are known to half a spacing.
+    const double known = 0.5 * c.numerics.spacing;
+    if (free.valid && (free.zero_plane < -known || free.zero_plane > c.crest() + known)) {
         analysis.warnings.push_back(
             fmt::format("rough log law with a free zero plane: the fit puts it {:.3g} mm {} the datum, "
                         "{}; it and what follows from it are left out",
                         1000.0 * std::abs(free.zero_plane - flow.points.zero_plane),
                         free.zero_plane < flow.points.zero_plane ? "below" : "above",
-                        free.zero_plane < 0.0 ? "below the bed" : "above the crests"));
+                        free.zero_plane < 0.0 ? "below the bed"
+                        : has_rough_bed(c)    ? "above the crests"
+                                              : "above the bed"));
     } else if (free.valid) {
         analysis.findings.push_back(
             against(fitted("zero_plane", "zero plane of the log law, fitted, above the datum", "m",
@@ -95,8 +100,9 @@ void add_log_law(const FlowRecord& record, const FittedFlow& flow, Figure& laws,
                                  {free.zero_plane_interval.lower - flow.points.zero_plane,
                                   free.zero_plane_interval.upper - flow.points.zero_plane})),
                     0.0, "datum",
-                    "between bed level and crests; the interval takes the residuals of the points as "
-                    "independent"));
+                    fmt::format("{}; the interval takes the residuals of the points as independent",
+                                has_rough_bed(c) ? "between bed level and crests, to half a spacing"
+                                                 : "at the bed level, to half a spacing")));
         analysis.findings.push_back(fitted("zero_plane_friction_velocity",
                                            "u* with the zero plane fitted, too", "m/s",
                                            value(free.friction_velocity, free.friction_velocity_half_width,
@@ -260,10 +266,11 @@ void add_stress_velocity(const FlowRecord& record, bool at_centreline, FittedFlo
                       std::string("beside the walls stress on upright planes carries a part of the weight");
         }
         analysis.findings.push_back(against(
-            make_finding(chapters::fits, "friction_velocity",
-                         at_centreline ? "friction velocity u*, stress at the crests around the centreline"
-                                       : "friction velocity u*, stress at the crests",
-                         "m/s", found->first, found->second),
+            make_finding(
+                chapters::fits, "friction_velocity",
+                fmt::format("friction velocity u*, stress at the {}{}", has_rough_bed(c) ? "crests" : "bed",
+                            at_centreline ? " around the centreline" : ""),
+                "m/s", found->first, found->second),
             c.measured.friction_velocity, measured_name(c), remark));
     }
     if (at_centreline && whole) {
@@ -292,9 +299,11 @@ void add_section_twin_fits(const FlowRecord& record, const FittedFlow& flow, Ana
     }
     if (const auto stress =
             friction_of(c, fit_stress_line(c, twin.z, twin_profile(twin, twin.shear_stress, strip)))) {
-        analysis.findings.push_back(make_finding(
-            chapters::fits, "section_twin_friction_velocity",
-            "u* of the section twin at the centreline, stress at the crests", "m/s", stress->first));
+        analysis.findings.push_back(
+            make_finding(chapters::fits, "section_twin_friction_velocity",
+                         fmt::format("u* of the section twin at the centreline, stress at the {}",
+                                     has_rough_bed(c) ? "crests" : "bed"),
+                         "m/s", stress->first));
     }
 }
 
@@ -311,11 +320,12 @@ void analyse_fits(const FlowRecord& record, Analysis& analysis) {
         add_missing(record, analysis, std::move(empty), "the results file holds no profiles of this window");
         return;
     }
-    if (!has_rough_bed(c) || c.channel.slope <= 0.0) {
+    if (c.channel.slope <= 0.0 || (!has_rough_bed(c) && c.bed.kind != BedKind::roughness)) {
         add_missing(
             record, analysis, std::move(empty),
-            "the laws of rough beds are fitted to the flow down a slope over spheres, or over solids that are part "
-            "of the bed, only");
+            "the laws of rough beds are fitted to the flow down a slope over spheres, solids that are part of "
+            "the bed, or a bed by its roughness, only");
+        if (c.channel.slope > 0.0 && channel_or_walls_resist(c)) add_channel_numbers(record, analysis);
         return;
     }
     FittedFlow flow;
@@ -333,7 +343,7 @@ void analyse_fits(const FlowRecord& record, Analysis& analysis) {
     const HeightRange range = log_law_range(c);
     flow.log_law_range = {range.from, range.to};
     flow.depth = c.channel.depth;
-    flow.whole_range = {c.crest(), c.datum() + 0.98 * c.channel.depth};
+    flow.whole_range = {has_rough_bed(c) ? c.crest() : range.from, c.datum() + 0.98 * c.channel.depth};
     add_stress_velocity(record, !centreline.z.empty(), flow, analysis);
     if (!centreline.z.empty()) add_section_twin_fits(record, flow, analysis);
     Figure laws = laws_figure(record, flow);

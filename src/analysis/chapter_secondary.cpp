@@ -159,7 +159,7 @@ void add_cells(const Setting& s, Analysis& analysis) {
         chapters::secondary, "secondary_streamfunction", "Streamfunction across the channel",
         "Mean over the depth of the streamfunction of (V, W), over U H, with 95 % intervals. A cell is a "
         "stretch of one sign beyond its interval.",
-        "", make_axis("distance from the side wall y/H", "1"), make_axis("streamfunction over U H", "1"));
+        "", across_axis(s.c, "/H"), make_axis("streamfunction over U H", "1"));
     std::vector<double> y = s.field.y;
     for (double& value : y) value /= s.c.total_depth();
     Curve curve = make_curve("simulated", Origin::simulated, Mark::line, y, psi.value);
@@ -271,9 +271,8 @@ void add_space_vortices(const Setting& s, Analysis& analysis) {
                                  "regions of the mean flow in space with Q above its rms", "1",
                                  static_cast<double>(regions.size()));
     count.remark = fmt::format(
-        "of at least 8 cells; Q > rms in {:.2g} % of the water; behind the spheres "
-        "the mean flow turns at each of them",
-        wet > 0.0 ? 100.0 * share / wet : 0.0);
+        "of at least 8 cells; Q > rms in {:.2g} % of the water{}", wet > 0.0 ? 100.0 * share / wet : 0.0,
+        s.c.bed.kind == BedKind::spheres ? "; behind the spheres the mean flow turns at each of them" : "");
     analysis.findings.push_back(std::move(count));
     const auto middle = static_cast<std::size_t>(
         std::lower_bound(field.z.begin(), field.z.end(), s.c.crest()) - field.z.begin());
@@ -283,8 +282,7 @@ void add_space_vortices(const Setting& s, Analysis& analysis) {
         fmt::format("Q = (|Omega|^2 - |S|^2)/2 of the mean velocity in space, over (U/H)^2, at {:.3g} mm "
                     "above the bed level: positive where the mean flow turns more than it strains.",
                     1000.0 * field.z[iz]),
-        "Hunt et al. 1988", make_axis("distance along the channel x", "m"),
-        make_axis("distance from the side wall y", "m"));
+        "Hunt et al. 1988", make_axis("distance along the channel x", "m"), across_axis(s.c));
     ColourMap map;
     map.x = field.x;
     map.y = field.y;

@@ -167,8 +167,10 @@ void add_stationarity(const WindowRecord& window, double tolerance, Analysis& an
                                           "tests of blocks",
                                           test.block_count, test.block_count == 1 ? "" : "s");
         steady.remark += test.p_value < least_p_value ? ": p " + p_value_text(test.p_value) : "";
-        steady.remark +=
-            test.p_value < 0.05 ? ": not steady (below 0.05)" : ": nothing speaks against steadiness";
+        steady.remark += test.p_value < 0.05 ? ": not steady (below 0.05)"
+                         : mean.effective_samples < fewest_effective_samples
+                             ? ": too few independent samples to tell whether it is steady"
+                             : ": nothing speaks against steadiness";
         const double relative = std::abs(test.drift.value / mean.mean);
         if (test.p_value < 0.05 && relative < tolerance &&
             mean.effective_samples >= fewest_effective_samples) {

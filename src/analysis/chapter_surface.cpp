@@ -8,6 +8,7 @@
 
 #include "analysis/chapters.hpp"
 #include "analysis/figure_tools.hpp"
+#include "analysis/section_parts.hpp"
 #include "analysis/surface_parts.hpp"
 #include "base/not_a_number.hpp"
 #include "case/flow_kind.hpp"
@@ -133,7 +134,7 @@ void add_map(const FlowRecord& record, const SurfaceFluctuation& surface, Analys
     constexpr std::size_t most_columns = 400;
     const SpaceTime& line = surface.line;
     Figure figure = map_figure();
-    const double velocity = bulk_velocity(record);
+    const double velocity = velocity_at_centreline(record);
     const double end = line.times.back();
     const double start = velocity > 0.0
                              ? std::max(line.times.front(), end - crossings * line.length() / velocity)

@@ -17,7 +17,7 @@ std::span<const Chapter> analysis_chapters() {
     static const std::array chapters = {
         Chapter{chapters::course, "Course of the flow", analyse_course, is_undriven},
         Chapter{chapters::along, "Along the channel", analyse_along, varies_along},
-        Chapter{chapters::statistics, "Statistics of the velocity", analyse_statistics, is_channel},
+        Chapter{chapters::statistics, "Statistics of the record", analyse_statistics, is_channel},
         Chapter{chapters::profiles, "Profiles", analyse_profiles},
         Chapter{chapters::fits, "Laws fitted to the velocity profile", analyse_fits, uniform},
         Chapter{chapters::surface, "Free surface", analyse_surface, is_channel},

@@ -53,8 +53,6 @@ struct Guide {
     bool on_x = false;  ///< at values of x, else of y
     double from = 0;    ///< SI
     double to = 0;      ///< the same as `from`: a line
-
-    [[nodiscard]] bool is_band() const { return to != from; }
 };
 
 /// One figure of an analysis: all that is needed to draw it, to write it as CSV and to compare runs in it.

@@ -120,7 +120,11 @@ Finding fitted(std::string key, std::string label, std::string unit, const Fitte
     const bool lopsided =
         std::abs((interval.upper - value.value) - (value.value - interval.lower)) > 0.2 * value.half_width;
     if (lopsided || !finding.half_width) {
-        finding.remark = fmt::format("95 % interval {:.3g} to {:.3g}", interval.lower, interval.upper);
+        const bool length = finding.unit == "m";
+        const double factor = length ? 1000.0 : 1.0;
+        finding.remark =
+            fmt::format("95 % interval {:.3g} to {:.3g}", factor * interval.lower, factor * interval.upper);
+        if (finding.unit != "1") finding.remark += " " + (length ? std::string("mm") : finding.unit);
     }
     return finding;
 }

@@ -31,11 +31,13 @@ struct Section {
 struct Crest {
     double value = 0.0;
     double time = 0.0;
+    bool at_edge = false;  ///< it is the first or the last value: the flood may be larger before or after
 };
 
 Crest crest_of(const std::vector<double>& time, const std::vector<double>& values) {
     const auto most = std::max_element(values.begin(), values.end());
-    return {*most, time[static_cast<std::size_t>(most - values.begin())]};
+    return {*most, time[static_cast<std::size_t>(most - values.begin())],
+            most == values.begin() || most + 1 == values.end()};
 }
 
 double stretch(const Case& c) { return smoothing_depths * std::sqrt(c.total_depth() / c.normal_gravity()); }
@@ -44,6 +46,8 @@ std::vector<Section> sections_of(const FlowRecord& record) {
     const std::string discharge = fields::flow_rate.flow_rate.name;
     const double smoothing = stretch(*record.flow());
     const double spacing = record.flow()->numerics.spacing;
+    // The sections of half a channel measure that half.
+    const double of_whole = record.flow()->channel.sides == Sides::half ? 2.0 : 1.0;
     const auto end_of = [&](const ScalarProbe& probe) {
         return &probe == find_at_end(record, fields::flow_rate.flow_rate, 1)   ? 1
                : &probe == find_at_end(record, fields::flow_rate.flow_rate, 2) ? 2
@@ -58,6 +62,7 @@ std::vector<Section> sections_of(const FlowRecord& record) {
         Section section{
             .x = *probe.x, .end = end_of(probe), .time = probe.time, .discharge = {}, .depth = {}};
         section.discharge = running_means(probe.time, probe.value, smoothing);
+        for (double& value : section.discharge) value *= of_whole;
         const ScalarProbe* const depth = find_scalar(
             record, fields::flow_rate.depth.name + probe.quantity.substr(discharge.size()), probe.name);
         if (depth != nullptr && depth->value.size() == probe.value.size()) {
@@ -72,7 +77,8 @@ std::vector<Section> sections_of(const FlowRecord& record) {
     for (Section& section : sections) {
         if (each.empty() || std::abs(each.back().x - section.x) >= 0.1 * spacing) {
             each.push_back(std::move(section));
-        } else if (section.end != 0 || section.time.size() > each.back().time.size()) {
+        } else if (section.end != 0 ||
+                   (each.back().end == 0 && section.time.size() > each.back().time.size())) {
             each.back() = std::move(section);
         }
     }
@@ -86,11 +92,17 @@ std::string place_of(const Section& section, const char* inflow, const char* out
                               : fmt::format("{}x = {:.4g} mm", along, 1e3 * section.x);
 }
 
-/// How the crest of a section stands to the one that came in.
-std::string against_inflow(const Crest& crest, const Section& inflow) {
-    const Crest entered = crest_of(inflow.time, inflow.discharge);
-    const double rise = entered.value - *std::min_element(inflow.discharge.begin(), inflow.discharge.end());
-    std::string text = fmt::format(", {:.2f} s after that at the inflow", crest.time - entered.time);
+/// When the crest of a section passes, and how it stands to the one that came in.
+std::string crest_remark(const Crest& crest, const Section* inflow) {
+    std::string text = fmt::format("at t = {:.4g} s", crest.time);
+    if (crest.at_edge) {
+        return text + ", at the edge of the record: the flood may be larger before or after it";
+    }
+    if (inflow == nullptr) return text;
+    const Crest entered = crest_of(inflow->time, inflow->discharge);
+    if (entered.at_edge) return text;
+    const double rise = entered.value - *std::min_element(inflow->discharge.begin(), inflow->discharge.end());
+    text += fmt::format(", {:.2f} s after that at the inflow", crest.time - entered.time);
     if (rise > 0.0) {
         const double loss = (entered.value - crest.value) / rise;
         text += fmt::format("; {:.1f} % of the rise there {}", 100.0 * std::abs(loss),
@@ -110,14 +122,14 @@ void add_crests(const std::vector<Section>& sections, bool space, Analysis& anal
             make_finding(chapters::along, fmt::format("flood_discharge_{}", n + 1),
                          fmt::format("largest discharge {}{}", space ? "" : "per unit width ", place),
                          space ? "m3/s" : "m2/s", crest.value);
-        finding.remark = fmt::format("at t = {:.4g} s", crest.time);
-        if (inflow != sections.end() && section.end != 1) finding.remark += against_inflow(crest, *inflow);
+        finding.remark =
+            crest_remark(crest, inflow != sections.end() && section.end != 1 ? &*inflow : nullptr);
         analysis.findings.push_back(std::move(finding));
         if (section.depth.empty()) continue;
         const Crest deepest = crest_of(section.time, section.depth);
         Finding depth = make_finding(chapters::along, fmt::format("flood_depth_{}", n + 1),
                                      fmt::format("largest depth {}", place), "m", deepest.value);
-        depth.remark = fmt::format("of the water above the bed level, at t = {:.4g} s", deepest.time);
+        depth.remark = "of the water above the bed level, " + crest_remark(deepest, nullptr);
         analysis.findings.push_back(std::move(depth));
     }
 }

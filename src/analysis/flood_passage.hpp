@@ -5,7 +5,7 @@
 
 namespace riffle::inline analysis {
 
-/// Whether what enters the channel follows a file in time: a flood, a tide.
+/// Whether what enters the channel follows a file in time, as a flood does.
 [[nodiscard]] bool has_hydrograph(const Case& c);
 
 /// Figures and findings of a flood that passes the sections of the instruments: the largest discharge and

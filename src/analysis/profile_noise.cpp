@@ -115,6 +115,16 @@ void add_eddies_and_noise(const FlowRecord& record, Analysis& analysis) {
     const EddiesAndNoise& split = record.eddies_and_noise();
     if (split.empty() || friction_velocity_of(record) <= 0.0) return;
     const Case& c = *record.flow();
+    if (between_side_walls(record)) {
+        const std::string why =
+            "between side walls the departures from a layer's mean over the width are those of the mean flow across "
+            "the channel, no eddies";
+        for (Figure figure : {intensities(record, split), stresses(record, split)}) {
+            figure.curves.clear();
+            add_missing(record, analysis, std::move(figure), why);
+        }
+        return;
+    }
     analysis.figures.push_back(intensities(record, split));
     analysis.figures.push_back(stresses(record, split));
     const auto squared = [](double value) { return value * value; };

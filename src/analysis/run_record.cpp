@@ -1,4 +1,5 @@
 #include "analysis/run_record.hpp"
+#include "analysis/flood_passage.hpp"
 
 #include <fmt/format.h>
 
@@ -49,8 +50,8 @@ struct RunRecord::Impl {
                 "{:.6g} s; give FROM,TO in seconds with FROM < TO",
                 asked.from, asked.to, path.string(), first, last));
         }
-        // A flow that nothing drives steadily is of interest from its start to its end.
-        if (is_undriven(flow_kind(flow))) return {0.0, last};
+        // A flow that nothing drives steadily, and a flood, are of interest from their start to their end.
+        if (is_undriven(flow_kind(flow)) || has_hydrograph(flow)) return {0.0, last};
         if (const auto averaged = results.averaging_window()) return {averaged->first, averaged->second};
         return {0.5 * (first + last), last};
     }

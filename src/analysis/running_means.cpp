@@ -12,7 +12,7 @@ std::vector<double> running_means(const std::vector<double>& values, std::size_t
     std::vector<double> means(values.size());
     for (std::size_t i = 0; i < values.size(); ++i) {
         const std::size_t first = i - std::min(i, width / 2);
-        const std::size_t last = std::min(values.size(), first + width);
+        const std::size_t last = std::min(values.size(), i + width - width / 2);
         means[i] = (sums[last] - sums[first]) / static_cast<double>(last - first);
     }
     return means;

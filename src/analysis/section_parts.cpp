@@ -10,6 +10,7 @@
 #include "base/interpolation.hpp"
 #include "base/not_a_number.hpp"
 #include "case/sphere_tiling.hpp"
+#include "statistics/record.hpp"
 
 namespace riffle::inline analysis {
 
@@ -74,6 +75,34 @@ SectionProfile centreline_velocity_profile(const FlowRecord& record) {
                          [](const FieldSums& strip) { return strip.means(FieldQuantity::velocity); });
 }
 
+namespace {
+
+bool is_between_walls(const FlowRecord& record) {
+    return is_three_dimensional(record) && record.flow()->has_side_walls();
+}
+
+}  // namespace
+
+double velocity_at_centreline(const FlowRecord& record) {
+    if (is_between_walls(record)) {
+        const std::vector<double> velocity = within_window(record, fields::time_series.centreline_velocity);
+        if (!velocity.empty()) return mean_of(velocity);
+    }
+    return bulk_velocity(record);
+}
+
+const char* depth_mean_name(const FlowRecord& record) {
+    return is_between_walls(record) ? "depth-mean velocity U around the centreline" : "depth-mean velocity U";
+}
+
+double surface_velocity_at_centreline(const FlowRecord& record) {
+    if (!is_between_walls(record)) return surface_velocity(record);
+    // As of profiles: 0 where the level varies along the channel.
+    if (surface_velocity(record) == 0.0) return 0.0;
+    const SectionProfile u = centreline_velocity_profile(record);
+    return u.value.empty() ? 0.0 : u.value.back();
+}
+
 double mean_above_datum(const Case& c, const std::vector<double>& z, const std::vector<double>& values) {
     const double height = z.size() > 1 ? (z.back() - z.front()) / static_cast<double>(z.size() - 1) : 0.0;
     double sum = 0.0;
@@ -114,6 +143,12 @@ double twin_value(const SectionTwin& twin, const std::vector<double>& values, do
     const std::vector<double> profile = twin_profile(twin, values, y);
     const TablePlace place = place_in(twin.z, z);
     return place.in(profile);
+}
+
+Axis across_axis(const Case& c, const char* over) {
+    const char* const from =
+        c.has_side_walls() ? "distance from the side wall y" : "distance across the channel y";
+    return make_axis(std::string(from) + over, *over == '\0' ? "m" : "1");
 }
 
 Figure section_figure(const char* chapter, std::string key, std::string title, std::string caption,

@@ -38,6 +38,10 @@ struct Strip {
 /// The resolved part alone.
 [[nodiscard]] std::vector<double> resolved_stress(const FieldSums& section, double density, bool lateral);
 
+/// "distance from the side wall y", of a channel without such "distance across the channel y"; over what it
+/// is divided by, as "/H".
+[[nodiscard]] Axis across_axis(const Case& c, const char* over = "");
+
 /// A profile over the heights of the mean field where water was.
 struct SectionProfile {
     std::vector<double> z, value, half_width;
@@ -49,6 +53,17 @@ struct SectionProfile {
 
 /// Mean velocity over the strip around the centreline; empty without a mean field.
 [[nodiscard]] SectionProfile centreline_velocity_profile(const FlowRecord& record);
+
+/// Depth-mean velocity of the water along the centreline, where surfaces and planes are recorded, m/s: that
+/// of the strip around it between side walls, else bulk_velocity().
+[[nodiscard]] double velocity_at_centreline(const FlowRecord& record);
+
+/// What velocity_at_centreline() is called: "depth-mean velocity U", between side walls that around the
+/// centreline.
+[[nodiscard]] const char* depth_mean_name(const FlowRecord& record);
+
+/// So of the water at the surface; without a mean field, between side walls, 0.
+[[nodiscard]] double surface_velocity_at_centreline(const FlowRecord& record);
 
 /// Mean over the water above the datum and below the surface of a profile on these heights; not-a-number
 /// where it has no value there.

@@ -187,10 +187,9 @@ void add_lateral(const FlowRecord& record, Analysis& analysis) {
     });
     Figure figure = make_figure(
         chapters::section, "lateral_velocity", "Depth-mean velocity across the channel",
-        "Mean of u over the water above the datum, at each distance from the wall, with 95 % intervals; the "
+        "Mean of u over the water above the datum, at each place across the channel, with 95 % intervals; the "
         "section twin's at the same cells.",
-        "thesis chapter 5", make_axis("distance from the side wall y", "m"),
-        make_axis("depth-mean velocity U", "m/s"));
+        "thesis chapter 5", across_axis(c), make_axis("depth-mean velocity U", "m/s"));
     Curve curve = make_curve("simulated", Origin::simulated, Mark::line_and_points, field.y, found.value);
     if (std::isfinite(found.half_width.front())) curve.y_half_width = found.half_width;
     figure.curves.push_back(std::move(curve));

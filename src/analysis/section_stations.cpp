@@ -254,8 +254,7 @@ void add_rows(const FlowRecord& record, Analysis& analysis) {
         simulated ? "Means over the length and a period of the bed's elements across the channel; measured "
                     "points with 95 % intervals; the section twin."
                   : "Measured points with 95 % intervals; the section twin.",
-        "thesis chapter 5", make_axis("distance from the side wall y", "m"),
-        make_axis("streamwise velocity u", "m/s"));
+        "thesis chapter 5", across_axis(c), make_axis("streamwise velocity u", "m/s"));
     constexpr std::size_t most = 4;
     const std::size_t stride = (rows.size() + most - 1) / most;
     const SectionTwin& twin = record.section_twin();

@@ -217,7 +217,10 @@ DeviationEstimate standard_deviation(const SpaceTime& fluctuation) {
     return result;
 }
 
-double sampling_interval(const SpaceTime& data) {
+namespace {
+
+/// The median of the intervals between the samples, s, which missing samples do not move.
+double median_interval(const SpaceTime& data) {
     if (data.rows() < 2) throw InputError("record along a line: at least two times are needed");
     std::vector<double> intervals(data.rows());
     std::adjacent_difference(data.times.begin(), data.times.end(), intervals.begin());
@@ -226,8 +229,25 @@ double sampling_interval(const SpaceTime& data) {
     return *middle;
 }
 
+constexpr double missing_from = 1.9;  ///< of the median: an interval so long lacks a sample
+
+}  // namespace
+
+double sampling_interval(const SpaceTime& data) {
+    const double longest = missing_from * median_interval(data);
+    double sum = 0.0;
+    double count = 0.0;
+    for (std::size_t j = 1; j < data.rows(); ++j) {
+        const double interval = data.times[j] - data.times[j - 1];
+        if (interval > longest) continue;
+        sum += interval;
+        count += 1.0;
+    }
+    return sum / count;
+}
+
 SpaceTime resample_evenly(const SpaceTime& data, double largest_gap) {
-    const double median = sampling_interval(data);
+    const double median = median_interval(data);
     for (std::size_t j = 1; j < data.rows(); ++j) {
         const double gap = data.times[j] - data.times[j - 1];
         if (gap > largest_gap * median) {
@@ -238,9 +258,10 @@ SpaceTime resample_evenly(const SpaceTime& data, double largest_gap) {
                             data.times[j - 1], data.times[j], median, data.times[j], data.times[j - 1]));
         }
     }
+    const double interval = sampling_interval(data);
     const double start = data.times.front();
     const double duration = data.times.back() - start;
-    const auto intervals = static_cast<std::size_t>(std::max(1.0, std::round(duration / median)));
+    const auto intervals = static_cast<std::size_t>(std::max(1.0, std::round(duration / interval)));
     SpaceTime result = data;
     result.times.resize(intervals + 1);
     result.values.resize(result.times.size() * data.columns);

@@ -98,12 +98,15 @@ struct DeviationEstimate {
 /// over duration); this is not corrected for, so that the integral of the spectra is the same variance.
 [[nodiscard]] DeviationEstimate standard_deviation(const SpaceTime& fluctuation);
 
-/// The interval between even times: the median of the intervals, s. Needs two times (else InputError).
+/// The interval between even times: the mean of the intervals, but for those where samples are missing, s.
+/// Needs two times (else InputError).
 [[nodiscard]] double sampling_interval(const SpaceTime& data);
 
-/// The record at even times, from the first to the last, at the median interval or next to it so that the
-/// last time is met: by cubic interpolation in time (linear beside dry points). Records of a run are taken at
-/// the first step after their due time, so that their times scatter by a fraction of the interval.
+/// The record at even times, from the first to the last, at the mean interval, so that there are as many as
+/// samples: by cubic interpolation in time (linear beside dry points). Records of a run are taken at the
+/// first step after their due time, so that their times scatter by a fraction of the interval. With any other
+/// interval the even times would drift through those of the samples, and cubics half-way between samples
+/// damp what has few of them in a period.
 /// Throws InputError, naming the place, where two times lie further apart than `largest_gap` intervals.
 [[nodiscard]] SpaceTime resample_evenly(const SpaceTime& data, double largest_gap = 1.9);
 

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "analysis/figure_tools.hpp"
+#include "analysis/section_parts.hpp"
 #include "analysis/space_time_correlation.hpp"
 #include "analysis/subsurface_parts.hpp"
 
@@ -105,7 +106,7 @@ void add_streamwise_correlation(const FlowRecord& record, Analysis& analysis) {
     }
     attempt(record, analysis, std::move(figure), [&](Figure& f) {
         std::vector<std::string> left_out;
-        const double velocity = bulk_velocity(record);
+        const double velocity = velocity_at_centreline(record);
         const auto printed = correlate(*usable, velocity, false, left_out);
         if (printed.empty()) throw InputError("no height has a whole record: " + left_out.front());
         if (!left_out.empty()) {
@@ -127,7 +128,7 @@ void add_streamwise_correlation(const FlowRecord& record, Analysis& analysis) {
         make_axis("height above the bed level z/H", "1"));
     attempt(record, analysis, std::move(steady), [&](Figure& f) {
         std::vector<std::string> left_out;
-        const auto heights = correlate(*usable, bulk_velocity(record), true, left_out);
+        const auto heights = correlate(*usable, velocity_at_centreline(record), true, left_out);
         if (heights.empty()) throw InputError("no height has a whole record: " + left_out.front());
         f.maps.push_back(map_of(heights, c.total_depth()));
         add_influence(heights, c, "influence_depth_of_zero_waves",

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <limits>
 #include <numbers>
 #include <numeric>
@@ -49,8 +50,11 @@ class Families {
             const double half = 0.5 * kx * std::abs(fastest_ - slowest_);
             compare(SurfaceFamily::advected, std::max(0.0, folded(omega - middle) - half), moving);
         }
-        compare(SurfaceFamily::waves_downstream, folded(omega - carried - own), moving);
-        compare(SurfaceFamily::waves_upstream, folded(omega - carried + own), moving);
+        const bool across = kx == 0.0;
+        compare(across ? SurfaceFamily::waves_across : SurfaceFamily::waves_downstream,
+                folded(omega - carried - own), moving);
+        compare(across ? SurfaceFamily::waves_across : SurfaceFamily::waves_upstream,
+                folded(omega - carried + own), moving);
         return family;
     }
 
@@ -95,6 +99,10 @@ double SurfaceMakeup::share(SurfaceFamily family) const {
     return variance[static_cast<std::size_t>(family)] / whole();
 }
 
+double SurfaceMakeup::share_of_noise(SurfaceFamily family) const {
+    return variance_of_noise[static_cast<std::size_t>(family)] / whole();
+}
+
 SurfaceMakeup surface_makeup(const SurfacePlan& plan, const GravityCapillaryWaves& waves, double slowest,
                              double fastest, std::size_t segment_times) {
     require_sound(plan, segment_times);
@@ -120,6 +128,18 @@ SurfaceMakeup surface_makeup(const SurfacePlan& plan, const GravityCapillaryWave
     for (auto& of_family : result.density) of_family.assign(bands, 0.0);
 
     const Families families(waves, slowest, fastest, 2.0 * pi / plan.interval, step);
+    // Of each component, and of each wavenumber how many of its frequencies.
+    std::vector<std::uint8_t> family_of(segment_times * points);
+    std::vector<std::array<double, surface_families>> share_of(points);
+    for (std::size_t at = 0; at < family_of.size(); ++at) {
+        const double of_x = kx[at % plan.columns];
+        // exp(i (k x + w t)) is a wave of frequency -w; of k_x < 0 it is the one of -k and w.
+        const double sign = of_x < 0.0 ? -1.0 : 1.0;
+        const double of_y = ky[at / plan.columns % plan.rows];
+        const SurfaceFamily family = families.at(sign * of_x, sign * of_y, -sign * frequency[at / points]);
+        family_of[at] = static_cast<std::uint8_t>(family);
+        share_of[at % points][family_of[at]] += 1.0 / static_cast<double>(segment_times);
+    }
     std::vector<Complex> box(segment_times * points);
     const std::size_t hop = std::max<std::size_t>(1, segment_times / 2);
     for (std::size_t first = 0; first + segment_times <= plan.times(); first += hop) {
@@ -136,23 +156,22 @@ SurfaceMakeup surface_makeup(const SurfacePlan& plan, const GravityCapillaryWave
         for (std::size_t at = 0; at < box.size(); ++at) {
             const std::size_t i = at % plan.columns;
             const std::size_t j = at / plan.columns % plan.rows;
-            const std::size_t t = at / points;
             if (i == 0 && j == 0) continue;  // the mean over the plan
-            // exp(i (k x + w t)) is a wave of frequency -w; of k_x < 0 it is the one of -k and w.
-            const double sign = kx[i] < 0.0 ? -1.0 : 1.0;
-            const SurfaceFamily family = families.at(sign * kx[i], sign * ky[j], -sign * frequency[t]);
+            const std::size_t family = family_of[at];
             const double power = std::norm(box[at]);
-            result.variance[static_cast<std::size_t>(family)] += power;
-            const auto of_band = static_cast<std::size_t>(std::lround(std::hypot(kx[i], ky[j]) / band));
-            if (of_band >= 1 && of_band <= bands) {
-                result.density[static_cast<std::size_t>(family)][of_band - 1] += power / band;
+            result.variance[family] += power;
+            for (std::size_t each = 0; each < surface_families; ++each) {
+                result.variance_of_noise[each] += power * share_of[at % points][each];
             }
+            const auto of_band = static_cast<std::size_t>(std::lround(std::hypot(kx[i], ky[j]) / band));
+            if (of_band >= 1 && of_band <= bands) result.density[family][of_band - 1] += power / band;
         }
     }
     // Parseval: the sum of |X|^2 is the number of values times the sum of the squares.
     const double scale = 1.0 / (static_cast<double>(box.size()) * static_cast<double>(box.size()) *
                                 static_cast<double>(result.segments));
     for (double& value : result.variance) value *= scale;
+    for (double& value : result.variance_of_noise) value *= scale;
     for (auto& of_family : result.density) {
         for (double& value : of_family) value *= scale;
     }

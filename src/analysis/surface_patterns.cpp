@@ -9,6 +9,7 @@
 #include "analysis/celerity_ridge.hpp"
 #include "analysis/celerity_tracking.hpp"
 #include "analysis/figure_tools.hpp"
+#include "analysis/section_parts.hpp"
 #include "analysis/stations.hpp"
 #include "analysis/surface_correlation.hpp"
 #include "analysis/surface_parts.hpp"
@@ -85,8 +86,8 @@ double add_correlation(const FlowRecord& record, const Correlate& correlate, Ana
 
 void add_celerity(const FlowRecord& record, const char* key, const char* label, const Estimate& celerity,
                   const std::string& remark, Analysis& analysis) {
-    const double velocity = bulk_velocity(record);
-    const double of_surface = surface_velocity(record);
+    const double velocity = velocity_at_centreline(record);
+    const double of_surface = surface_velocity_at_centreline(record);
     if (!std::isfinite(celerity.value)) {
         analysis.warnings.push_back(std::string(label) + ": none found in this record");
         return;
@@ -98,7 +99,7 @@ void add_celerity(const FlowRecord& record, const char* key, const char* label, 
         return;
     }
     Finding finding = make_finding(chapters::surface, key, label, "m/s", celerity.value, celerity.half_width);
-    if (velocity > 0.0) finding = against(std::move(finding), velocity, "depth-mean velocity U");
+    if (velocity > 0.0) finding = against(std::move(finding), velocity, depth_mean_name(record));
     finding.remark = remark;
     if (of_surface > 0.0) finding.remark += "; " + beside_surface_velocity(celerity.value, of_surface);
     if (record.flow() != nullptr && record.origin() == Origin::simulated) {
@@ -116,7 +117,7 @@ void add_celerity(const FlowRecord& record, const char* key, const char* label, 
 /// Celerity from the lags between places, which `find` makes, with its figure.
 template <class Find>
 void add_station_celerity(const FlowRecord& record, const Find& find, Analysis& analysis) {
-    const double velocity = bulk_velocity(record);
+    const double velocity = velocity_at_centreline(record);
     Figure stations = make_figure(
         chapters::surface, "surface_station_lags", "Lag of the surface against distance",
         "Lag of the extreme of the temporal cross-correlation over the distance of the places, with 95 % "
@@ -141,7 +142,7 @@ void add_station_celerity(const FlowRecord& record, const Find& find, Analysis& 
         };
         straight("fit", Origin::fit, found.celerity.value);
         straight("x = U t", Origin::reference, velocity);
-        const double of_surface = surface_velocity(record);
+        const double of_surface = surface_velocity_at_centreline(record);
         if (of_surface > 0.0) {
             const std::size_t before = f.curves.size();
             straight("x = u_s t", Origin::reference, of_surface);
@@ -151,6 +152,15 @@ void add_station_celerity(const FlowRecord& record, const Find& find, Analysis& 
                      fmt::format("{} distances", found.used), analysis);
         add_surface_extremes(record, found, analysis);
     });
+}
+
+/// Duration of all tracks together that go the way of a velocity, s.
+double followed_for(const CrestCelerity& crests, double velocity) {
+    double sum = 0.0;
+    for (const CrestTrack& track : crests.tracks) {
+        if (track.celerity * velocity > 0.0) sum += track.times.back() - track.times.front();
+    }
+    return sum;
 }
 
 void add_celerities(const FlowRecord& record, const SpaceTime& line, double period, Analysis& analysis) {
@@ -182,11 +192,22 @@ void add_celerities(const FlowRecord& record, const SpaceTime& line, double peri
     }
     try {
         CrestOptions options;
-        const double of_surface = surface_velocity(record);
-        options.expected_celerity = of_surface > 0.0 ? of_surface : bulk_velocity(record);
+        const double of_surface = surface_velocity_at_centreline(record);
+        options.expected_celerity = of_surface > 0.0 ? of_surface : velocity_at_centreline(record);
         options.smoothing = 0.2 * period;
         options.blocks = blocks_of(line.rows());
         const CrestCelerity crests = track_crests(line, options);
+        // Crests of noise are linked by chance, and against the flow as long.
+        CrestOptions upstream = options;
+        upstream.expected_celerity = -options.expected_celerity;
+        const double against_flow = followed_for(track_crests(line, upstream), upstream.expected_celerity);
+        const double with_flow = followed_for(crests, options.expected_celerity);
+        if (against_flow > 0.5 * with_flow) {
+            throw InputError(fmt::format(
+                "crests can be followed against the flow for {:.3g} s in all and with it for {:.3g} s: they are those of noise, or "
+                "of waves that travel both ways",
+                against_flow, with_flow));
+        }
         add_celerity(record, "celerity_crests", "celerity of crests followed in the space-time map",
                      crests.celerity,
                      fmt::format("{} crests; scatter of their celerities {:.2g} m/s", crests.tracks.size(),
@@ -204,8 +225,8 @@ namespace {
 /// Upwellings and downwellings from the vertical velocity of the surface (kinematic condition).
 void add_upwellings(const FlowRecord& record, const SpaceTime& line, Analysis& analysis) {
     if (record.flow() == nullptr) return;
-    const double of_surface = surface_velocity(record);
-    const double velocity = of_surface > 0.0 ? of_surface : bulk_velocity(record);
+    const double of_surface = surface_velocity_at_centreline(record);
+    const double velocity = of_surface > 0.0 ? of_surface : velocity_at_centreline(record);
     if (velocity <= 0.0) return;
     const Case& c = *record.flow();
     try {

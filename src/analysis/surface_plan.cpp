@@ -15,10 +15,10 @@ namespace riffle::inline analysis {
 
 namespace {
 
-Figure plan_figure(const char* key, const char* title, std::string caption) {
-    Figure figure = make_figure(
-        chapters::surface, key, title, std::move(caption), "thesis chapter 5, maps of the mean water level",
-        make_axis("distance along the channel x", "m"), make_axis("distance from the side wall y", "m"));
+Figure plan_figure(const Case& c, const char* key, const char* title, std::string caption) {
+    Figure figure = make_figure(chapters::surface, key, title, std::move(caption),
+                                "thesis chapter 5, maps of the mean water level",
+                                make_axis("distance along the channel x", "m"), across_axis(c));
     figure.y.equal_scale = true;
     return figure;
 }
@@ -67,7 +67,7 @@ void add_surface_plan(const FlowRecord& record, Analysis& analysis) {
     if (!is_three_dimensional(record) || record.flow()->channel.top != Top::free_surface) return;
     const SurfaceMaps& maps = record.surface_maps();
     const Case& c = *record.flow();
-    Figure mean = plan_figure("surface_mean_map", "Mean water level in plan", "");
+    Figure mean = plan_figure(c, "surface_mean_map", "Mean water level in plan", "");
     if (maps.time.empty()) {
         add_missing(record, analysis, std::move(mean),
                     "the results file holds no plan map of the surface in the window "
@@ -103,7 +103,7 @@ void add_surface_plan(const FlowRecord& record, Analysis& analysis) {
 
     if (record.origin() == Origin::simulated) add_surface_families(record, analysis);
     Figure deviation = plan_figure(
-        "surface_deviation_map", "Fluctuation of the surface in plan",
+        c, "surface_deviation_map", "Fluctuation of the surface in plan",
         "Standard deviation in time of the elevation at each point, less the level of the whole plan at each "
         "instant.");
     attempt(record, analysis, std::move(deviation), [&](Figure& f) {

@@ -30,11 +30,37 @@ constexpr std::array<FamilyName, surface_families> family_names = {
      {SurfaceFamily::advected, "advected", "carried along by the water"},
      {SurfaceFamily::waves_downstream, "waves_downstream", "waves that travel downstream through the water"},
      {SurfaceFamily::waves_upstream, "waves_upstream", "waves that travel upstream through the water"},
+     {SurfaceFamily::waves_across, "waves_across", "waves that travel straight across the channel"},
      {SurfaceFamily::other, "other", "none of these"}}};
 
-/// The maps at even times, about the mean over the plan at each.
-SpaceTime even_maps(const SurfaceMaps& maps) {
+/// The line along the channel that fits the mean level, less its middle, at each place along it, m: between
+/// open ends the surface falls or rises, which is no pattern of it.
+std::vector<double> fall_of(const SurfaceMaps& maps) {
+    const std::size_t columns = maps.x.size();
+    std::vector<double> level(columns, 0.0);
+    for (std::size_t i = 0; i < maps.elevation.size(); ++i) level[i % columns] += maps.elevation[i];
+    const double samples = static_cast<double>(maps.elevation.size()) / static_cast<double>(columns);
+    for (double& value : level) value /= samples;
+    const double middle = mean_of(maps.x);
+    const double mean = mean_of(level);
+    double moment = 0.0;
+    double spread = 0.0;
+    for (std::size_t i = 0; i < columns; ++i) {
+        moment += (maps.x[i] - middle) * (level[i] - mean);
+        spread += (maps.x[i] - middle) * (maps.x[i] - middle);
+    }
+    for (std::size_t i = 0; i < columns; ++i) level[i] = moment / spread * (maps.x[i] - middle);
+    return level;
+}
+
+/// The maps at even times, about the mean over the plan at each and, where it does not repeat itself along
+/// the channel, about the fall of the mean level.
+SpaceTime even_maps(const SurfaceMaps& maps, bool periodic) {
     SpaceTime even = resample_evenly(plan_record(maps));
+    if (!periodic) {
+        const std::vector<double> fall = fall_of(maps);
+        for (std::size_t i = 0; i < even.values.size(); ++i) even.values[i] -= fall[i % fall.size()];
+    }
     for (std::size_t row = 0; row < even.rows(); ++row) {
         const double mean = mean_of(even.row(row));
         for (double& elevation : even.row(row)) elevation -= mean;
@@ -59,18 +85,19 @@ SurfacePlan plan_of(const Case& c, const SurfaceMaps& maps, SpaceTime even) {
 
 void add_surface_families(const FlowRecord& record, Analysis& analysis) {
     const SurfaceMaps& maps = record.surface_maps();
-    const double bulk = bulk_velocity(record);
+    const double bulk = velocity_at_centreline(record);
     if (maps.time.size() < 2 || maps.x.size() < 4 || maps.y.size() < 4 || !(bulk > 0.0)) return;
     Figure figure = make_figure(
         chapters::surface, "surface_families", "What the surface is made of",
         "Variance of the elevation over the plan, by wavenumber and by the way its components move: what stands over the "
         "bed, what the water carries along (between the depth-mean velocity and that of the surface), gravity waves "
-        "on a current of the surface's velocity that travel downstream and upstream through it, and what is none of "
-        "these, as noise. Frequencies as sampling folds them.",
+        "on a current of the surface's velocity that travel downstream, upstream and straight across through it, and what "
+        "is none of these. Of noise that has no memory each family gets by chance what stands beside its share. "
+        "Frequencies as sampling folds them.",
         "Dolcetti et al. 2016", make_axis("wavenumber |k|", "rad/m"),
         make_axis("variance per wavenumber", "m3/rad", true));
     attempt(record, analysis, std::move(figure), [&](Figure& f) {
-        SpaceTime even = even_maps(maps);
+        SpaceTime even = even_maps(maps, record.flow()->channel.ends == Ends::periodic);
         if (is_flat(record, even)) {
             throw InputError(
                 "the surface is flat to a thousandth of the spacing: nothing moves it but rows of particles");
@@ -87,9 +114,11 @@ void add_surface_families(const FlowRecord& record, Analysis& analysis) {
             Finding finding = make_finding(chapters::surface, std::string("surface_share_") + each.key,
                                            std::string("share of the surface's variance, ") + each.name, "1",
                                            makeup.share(each.family));
+            finding.remark =
+                fmt::format("noise would have {:.3f} by chance", makeup.share_of_noise(each.family));
             if (each.family == SurfaceFamily::bed_locked) {
-                finding.remark = fmt::format(
-                    "over the plan, by wavenumber and frequency, {} segments of {:.3g} s; to 2 steps of {:.3g} rad/s, or a "
+                finding.remark += fmt::format(
+                    "; over the plan, by wavenumber and frequency, {} segments of {:.3g} s; to 2 steps of {:.3g} rad/s, or a "
                     "tenth of k U_s",
                     makeup.segments, plan.interval * static_cast<double>(segment), makeup.frequency_step);
             }

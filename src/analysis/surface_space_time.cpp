@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "analysis/figure_tools.hpp"
+#include "analysis/section_parts.hpp"
 #include "analysis/space_time_correlation.hpp"
 #include "analysis/surface_parts.hpp"
 
@@ -28,7 +29,7 @@ void add_surface_space_time(const FlowRecord& record, const SpaceTime& line, Ana
         "lag of the one downstream; the lines are the advection with the depth-mean velocity U and with "
         "the celerity found from the extremes.",
         "thesis (4.7), Fig. 5.34", make_axis("time lag tau", "s"), make_axis("distance xi", "m"));
-    const double velocity = bulk_velocity(record);
+    const double velocity = velocity_at_centreline(record);
     attempt(record, analysis, std::move(figure), [&](Figure& f) {
         constexpr std::size_t most = 200;
         CorrelationReach reach;

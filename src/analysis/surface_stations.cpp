@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <boost/math/distributions/normal.hpp>
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -10,6 +12,7 @@
 #include <set>
 
 #include "analysis/figure_tools.hpp"
+#include "analysis/section_parts.hpp"
 #include "analysis/surface_parts.hpp"
 #include "statistics/cross_correlation.hpp"
 #include "statistics/power_spectrum.hpp"
@@ -26,6 +29,34 @@ void remove_mean(std::vector<double>& values) {
     const double mean =
         std::accumulate(values.begin(), values.end(), 0.0) / static_cast<double>(values.size());
     for (double& value : values) value -= mean;
+}
+
+/// Whether an extreme is one that unrelated records have by chance: the significance is that of a single lag,
+/// and the highest of many independent ones is higher (Bonferroni). `samples`: of each record.
+bool may_be_chance(const CrossCorrelation& correlation, const CorrelationExtreme& extreme,
+                   std::size_t samples, double distance, double velocity) {
+    const double step = correlation.lag[1] - correlation.lag[0];
+    const double longest = velocity > 0.0 ? 2.0 * distance / velocity : correlation.lag.back();
+    const double shortest = velocity > 0.0 ? 0.5 * distance / velocity : 0.0;
+    const double independent =
+        step * static_cast<double>(samples) / std::max(1.0, correlation.effective_samples);
+    const double lags = std::max(1.0, (std::min(longest, correlation.lag.back()) - shortest) / independent);
+    const boost::math::normal normal;
+    const double factor =
+        boost::math::quantile(normal, 1.0 - 0.025 / lags) / boost::math::quantile(normal, 0.975);
+    const auto at = static_cast<std::size_t>(std::lround((extreme.lag - correlation.lag.front()) / step));
+    return extreme.correlation < factor * correlation.significance[std::min(at, correlation.lag.size() - 1)];
+}
+
+/// Whether a simulated surface is flat at a place, as is_flat().
+bool is_flat_at(const FlowRecord& record, const SurfaceStation& station) {
+    SpaceTime single;
+    single.columns = 1;
+    single.values = station.elevation;
+    for (std::size_t i = 0; i < station.elevation.size(); ++i) {
+        single.times.push_back(station.interval * static_cast<double>(i));
+    }
+    return is_flat(record, single);
 }
 
 /// The extreme that belongs to what the water carries from one place to the next: of the significant maxima
@@ -144,16 +175,28 @@ std::vector<SurfaceStation> stations_of_probes(const FlowRecord& record, std::ve
     return stations;
 }
 
+namespace {
+
+/// The column of a line next to a place, within the cells of the line or, where it closes on itself,
+/// anywhere.
+std::optional<std::size_t> column_at(const SpaceTime& line, double x) {
+    const auto columns = static_cast<double>(line.columns);
+    double place = (x - line.first_x) / line.spacing;  // of the middles of the cells
+    if (line.periodic) place -= columns * std::floor((place + 0.5) / columns);
+    constexpr double edge = 0.5 + 1e-6;
+    if (!(place >= -edge && place <= columns - 1.0 + edge)) return std::nullopt;
+    return static_cast<std::size_t>(std::clamp(std::floor(place + 0.5), 0.0, columns - 1.0));
+}
+
+}  // namespace
+
 std::vector<SurfaceStation> stations_of_line(const SpaceTime& line,
                                              const std::vector<ElevationProbe>& probes) {
     std::vector<SurfaceStation> stations;
     if (line.rows() < fewest_samples || line.columns == 0) return stations;
     std::set<std::size_t> columns;  // ascending, each once
     for (const ElevationProbe& probe : probes) {
-        const double place = std::round((probe.x - line.first_x) / line.spacing);
-        if (place >= 0.0 && place < static_cast<double>(line.columns)) {
-            columns.insert(static_cast<std::size_t>(place));
-        }
+        if (const auto column = column_at(line, probe.x)) columns.insert(*column);
     }
     if (columns.size() < 2) {
         columns.clear();
@@ -210,9 +253,12 @@ void add_station_correlations(const FlowRecord& record, const std::vector<Surfac
         "extremes beyond what unrelated records show in 5 % of lags, and the lags x/U at which the water "
         "arrives.",
         "thesis (4.7)", make_axis("time lag t_l", "s"), make_axis("correlation R", "1"));
-    const double velocity = bulk_velocity(record);
+    const double velocity = velocity_at_centreline(record);
     attempt(record, analysis, std::move(figure), [&](Figure& f) {
         const SurfaceStation& first = stations.front();
+        // Of a surface that is flat the patterns are those of rounding.
+        const bool flat = is_flat_at(record, first);
+        const double of_surface = surface_velocity_at_centreline(record);
         for (std::size_t i = 1; i < stations.size(); ++i) {
             const SurfaceStation& other = stations[i];
             if (!std::isfinite(other.x)) continue;
@@ -242,17 +288,23 @@ void add_station_correlations(const FlowRecord& record, const std::vector<Surfac
                     make_curve(fmt::format("x/U, {:.4g} mm", 1000.0 * distance), Origin::reference,
                                Mark::line, {distance / velocity, distance / velocity}, {-1.0, 1.0}, variant));
             }
-            if (!(distance > 0.0)) continue;
+            if (!(distance > 0.0) || flat) continue;
             const CorrelationExtreme* const best = arrival(extremes, distance, velocity);
             if (best == nullptr) continue;
+            if (may_be_chance(correlation, *best, samples, distance, velocity)) {
+                analysis.warnings.push_back(fmt::format(
+                    "celerity from the lag between places {:.4g} mm apart: left out, unrelated records have an "
+                    "extreme of R = {:.3g} by chance",
+                    1000.0 * distance, best->correlation));
+                continue;
+            }
             Finding finding = make_finding(
                 chapters::surface, fmt::format("celerity_between_places_{}", i),
                 fmt::format("celerity from the lag between places {:.4g} mm apart", 1000.0 * distance), "m/s",
                 distance / best->lag);
-            if (velocity > 0.0) finding = against(std::move(finding), velocity, "depth-mean velocity");
+            if (velocity > 0.0) finding = against(std::move(finding), velocity, depth_mean_name(record));
             finding.remark = fmt::format("extreme R = {:.3g} at {:.4g} s", best->correlation, best->lag);
             if (velocity > 0.0) finding.remark += ", looked for from 0.5 U to 2 U";
-            const double of_surface = surface_velocity(record);
             if (of_surface > 0.0) finding.remark += "; " + beside_surface_velocity(finding.value, of_surface);
             if (const auto period = period_of(std::span(first.elevation).first(samples), first.interval,
                                               correlation.lag.size() / 2)) {
@@ -267,6 +319,8 @@ void add_station_correlations(const FlowRecord& record, const std::vector<Surfac
                                std::span(other.elevation).first(samples), first.interval, best->lag);
             if (std::isfinite(half_width) && half_width < best->lag) {
                 finding.half_width = finding.value * half_width / best->lag;
+            } else {
+                finding.remark += "; quarters of the record do not tell how well it is known";
             }
             analysis.findings.push_back(std::move(finding));
         }

@@ -8,6 +8,7 @@
 
 #include "analysis/figure_tools.hpp"
 #include "analysis/gravity_capillary_waves.hpp"
+#include "analysis/section_parts.hpp"
 #include "analysis/surface_parts.hpp"
 #include "analysis/surface_spectra.hpp"
 #include "base/not_a_number.hpp"
@@ -48,8 +49,9 @@ void add_dispersion(const FlowRecord& record, const WaveSpectrum& spectrum, Figu
     Curve up = make_curve("waves travelling upstream", Origin::theory, Mark::line, {}, {}, 1);
     constexpr int steps = 200;
     std::vector<Curve> carried;
-    std::vector<double> speeds = {bulk_velocity(record)};
-    if (surface_velocity(record) > 0.0) speeds.push_back(surface_velocity(record));
+    std::vector<double> speeds = {velocity_at_centreline(record)};
+    const double of_surface = surface_velocity_at_centreline(record);
+    if (of_surface > 0.0) speeds.push_back(of_surface);
     for (std::size_t i = 0; i < speeds.size(); ++i) {
         carried.push_back(
             make_curve(i == 0 ? "advection line omega = U k" : "velocity of the surface omega = u_s k",
@@ -93,7 +95,9 @@ void add_wave_spectrum(const FlowRecord& record, const SurfaceFluctuation& surfa
             }
         }
         f.maps.push_back(std::move(map));
-        if (record.flow() != nullptr && bulk_velocity(record) > 0.0) add_dispersion(record, spectrum, f);
+        if (record.flow() != nullptr && velocity_at_centreline(record) > 0.0) {
+            add_dispersion(record, spectrum, f);
+        }
     });
 }
 
@@ -105,8 +109,8 @@ GravityCapillaryWaves waves_on(const FlowRecord& record) {
     constexpr double water_surface_tension = 0.072;  // N/m, clean water; the particles have none
     waves.depth = c.channel.depth;
     // Short waves and patterns travel with the water at the surface.
-    const double of_surface = surface_velocity(record);
-    waves.velocity = of_surface > 0.0 ? of_surface : bulk_velocity(record);
+    const double of_surface = surface_velocity_at_centreline(record);
+    waves.velocity = of_surface > 0.0 ? of_surface : velocity_at_centreline(record);
     waves.gravity = c.normal_gravity();
     waves.surface_tension = record.origin() == Origin::measured ? water_surface_tension : 0.0;
     waves.density = c.fluid.density;

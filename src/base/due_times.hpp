@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <cmath>
 
 namespace riffle::inline base {
@@ -18,6 +19,21 @@ namespace riffle::inline base {
 /// The first time after `time` of something that happens at a frequency (Hz).
 [[nodiscard]] inline double due_after_at_frequency(double time, double frequency) {
     return (whole_intervals(time * frequency) + 1.0) / frequency;
+}
+
+/// By how much a time may fall short of a due one and count as it, s: steps add up to it to rounding alone.
+[[nodiscard]] inline double due_tolerance(double due, double interval) {
+    return std::max(1e-9 * interval, 2e-12 * std::abs(due));
+}
+
+/// Whether a due time of something with this interval has come.
+[[nodiscard]] inline bool has_come(double time, double due, double interval) {
+    return time >= due - due_tolerance(due, interval);
+}
+
+/// The first multiple of the interval after a due time that has come, and after `time`.
+[[nodiscard]] inline double due_next(double time, double due, double interval) {
+    return due_after(std::max(time, due), interval);
 }
 
 }  // namespace riffle::inline base

@@ -29,9 +29,18 @@ std::optional<RoundBody> round_body(const Solid& solid) {
             axis[static_cast<std::size_t>(solid.axis)] = 1.0;
             return RoundBody{{c[0], c[1], c[2]}, axis, false};
         }
-        default:
-            return std::nullopt;
+        case SolidShape::free_form:
+        case SolidShape::box:
+        case SolidShape::rectangle:
+        case SolidShape::bed:
+        case SolidShape::section:
+        case SolidShape::trapezoid:
+        case SolidShape::compound:
+        case SolidShape::pipe:
+        case SolidShape::spheres:
+            break;
     }
+    return std::nullopt;
 }
 
 }  // namespace riffle::inline boundary

@@ -1,4 +1,5 @@
 #include "case/channel_keys.hpp"
+#include "case/closure_traits.hpp"
 
 #include <utility>
 
@@ -159,12 +160,18 @@ SectionKeys turbulence() {
         return make_key("turbulence", name, &Case::turbulence, member, meaning);
     };
     const std::string closure = "turbulence.closure";
+    const std::vector<std::string> mixing_lengths =
+        closures_where([](const ClosureTraits& t) { return t.family == ClosureFamily::mixing_length; });
+    const std::vector<std::string> filters = closures_where([](const ClosureTraits& t) {
+        return t.family == ClosureFamily::filter || t.family == ClosureFamily::resolved;
+    });
     s.keys.push_back(key("closure", &Turbulence::closure, "Where the eddy viscosity comes from."));
-    s.keys.push_back(key("kappa", &Turbulence::kappa, "Von Karman's constant.")
-                         .at_least(0.1)
-                         .at_most(1)
-                         .because("measured: 0.35 to 0.45")
-                         .applies_with(closure, {"ramp", "nezu-rodi", "czernuszenko-rylov"}));
+    s.keys.push_back(
+        key("kappa", &Turbulence::kappa, "Von Karman's constant.")
+            .at_least(0.1)
+            .at_most(1)
+            .because("measured: 0.35 to 0.45")
+            .applies_with(closure, closures_where([](const ClosureTraits& t) { return t.has_kappa; })));
     s.keys.push_back(key("lambda", &Turbulence::lambda, "Plateau of the ramp: l_m = lambda H.")
                          .at_least(0.001)
                          .at_most(1)
@@ -180,26 +187,27 @@ SectionKeys turbulence() {
                          "Height above the bed level at which the mixing length starts from zero.")
                          .measured_in(length)
                          .at_least(0)
-                         .applies_with(closure, {"ramp", "nezu-rodi", "nikuradse", "czernuszenko-rylov"}));
+                         .applies_with(closure, mixing_lengths));
     s.keys.push_back(key("smagorinsky_constant", &Turbulence::smagorinsky_constant, "Constant C_s.")
                          .greater_than(0)
                          .at_most(10)
                          .because("used: 0.06 to 0.2")
-                         .applies_with(closure, {"sps", "wale", "vreman"}));
+                         .applies_with(closure, filters));
     s.keys.push_back(key("filter_width", &Turbulence::filter_width, "Filter width Delta.")
                          .measured_in(length)
                          .greater_than(0)
                          .unset_by("auto", "spacing / sqrt(2) for sps, the spacing for wale and vreman")
-                         .applies_with(closure, {"sps", "wale", "vreman"}));
+                         .applies_with(closure, filters));
     s.keys.push_back(
         key("stress_terms", &Turbulence::stress_terms, "What is kept of the strain rate and the stress.")
-            .applies_with(closure, {"ramp", "nezu-rodi", "nikuradse", "sps"}));
+            .applies_with(closure, closures_where([](const ClosureTraits& t) { return t.parts_stress; })));
     s.keys.push_back(
         key("eddy_rate", &Turbulence::eddy_rate,
             "Which rate of the flow times the square of the mixing length is the eddy viscosity.")
-            .applies_with(closure, {"ramp", "nezu-rodi", "nikuradse", "sps", "czernuszenko-rylov"}));
+            .applies_with(closure,
+                          closures_where([](const ClosureTraits& t) { return t.by_velocity_rate; })));
     s.keys.push_back(key("depth", &Turbulence::depth, "Which depth of the water the mixing lengths follow.")
-                         .applies_with(closure, {"ramp", "nezu-rodi", "nikuradse", "czernuszenko-rylov"}));
+                         .applies_with(closure, mixing_lengths));
     s.keys.push_back(key("edge_zone", &Turbulence::edge_zone,
                          "gamma: beside each wall the mixing lengths grow over a zone of gamma H / 2.")
                          .at_least(0.01)

@@ -178,9 +178,18 @@ std::string section_fault(const Case& c, const Solid& solid) {
             return trapezoid_fault(c, solid);
         case SolidShape::pipe:
             return pipe_fault(c, solid);
-        default:
-            return corners_fault(c, solid);
+        case SolidShape::section:
+        case SolidShape::free_form:
+        case SolidShape::box:
+        case SolidShape::sphere:
+        case SolidShape::cylinder:
+        case SolidShape::rectangle:
+        case SolidShape::circle:
+        case SolidShape::bed:
+        case SolidShape::spheres:
+            break;
     }
+    return corners_fault(c, solid);
 }
 
 WettedSection wetted_section(const CrossSection& section, double level) {

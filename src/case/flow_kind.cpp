@@ -1,4 +1,5 @@
 #include "case/flow_kind.hpp"
+#include "case/closure_traits.hpp"
 
 #include <fmt/format.h>
 
@@ -175,7 +176,7 @@ const char* flow_kind_name(FlowKind kind) {
 }
 
 bool resolves_eddies(const Case& c) {
-    return c.turbulence.closure == ClosureKind::wale || c.turbulence.closure == ClosureKind::vreman;
+    return traits_of(c.turbulence.closure).family == ClosureFamily::resolved;
 }
 
 bool has_level_surface(const Case& c, std::optional<double> inflow_depth,
@@ -186,15 +187,7 @@ bool has_level_surface(const Case& c, std::optional<double> inflow_depth,
 }
 
 bool has_mixing_length(const Case& c) {
-    switch (c.turbulence.closure) {
-        case ClosureKind::ramp:
-        case ClosureKind::nezu_rodi:
-        case ClosureKind::nikuradse:
-        case ClosureKind::czernuszenko_rylov:
-            return true;
-        default:
-            return false;
-    }
+    return traits_of(c.turbulence.closure).family == ClosureFamily::mixing_length;
 }
 
 bool uses_local_depth(const Case& c) {

@@ -1,4 +1,5 @@
 #include "case/numerics_keys.hpp"
+#include "case/closure_traits.hpp"
 
 #include <utility>
 
@@ -91,8 +92,9 @@ SectionKeys numerics_keys() {
                          .applies_with("numerics.density_filter", {"shepard", "mls"}));
     s.keys.push_back(key("viscosity", &Numerics::viscosity, "Form of the pair viscosity."));
     s.keys.push_back(key("eddy_stress", &Numerics::eddy_stress, "How the stress of the closure acts.")
-                         .applies_with("turbulence.closure", {"ramp", "nezu-rodi", "nikuradse", "sps",
-                                                              "czernuszenko-rylov", "wale", "vreman"}));
+                         .applies_with("turbulence.closure", closures_where([](const ClosureTraits& t) {
+                                           return t.family != ClosureFamily::none;
+                                       })));
     s.keys.push_back(
         key("drag_sampling", &Numerics::drag_sampling, "Where a particle takes the drag of the bed.")
             .applies_with("bed.kind", {"spheres"}));

@@ -27,9 +27,12 @@ double largest_courant_number(const Numerics& n) {
             return 0.8;
         case Stepping::verlet:
             return 0.2;
-        default:
-            return 0.4;
+        case Stepping::predictor_corrector:
+        case Stepping::symplectic:
+        case Stepping::beeman:
+            break;
     }
+    return 0.4;
 }
 
 bool diffuses_density(const Case& c) { return c.numerics.density_diffusion != DensityDiffusion::none; }

@@ -41,9 +41,14 @@ ClosedSurface surface_of_solid(const Case& c, const Solid& solid, std::vector<st
             return closed_surface(section_triangles(c, solid), "the section");
         case SolidShape::spheres:
             return closed_surface(sphere_layer_triangles(c, solid), "the spheres");
-        default:
-            return closed_surface(shape_triangles(c, solid), "the shape");
+        case SolidShape::box:
+        case SolidShape::sphere:
+        case SolidShape::cylinder:
+        case SolidShape::rectangle:
+        case SolidShape::circle:
+            break;
     }
+    return closed_surface(shape_triangles(c, solid), "the shape");
 }
 
 }  // namespace

@@ -136,8 +136,10 @@ Outline shape_outline(const Case& c, const Solid& solid) {
         for (const auto& corner : circle_corners(edges_around(c, solid.diameter), solid.diameter)) {
             add(corner);
         }
-    } else {
+    } else if (solid.shape == SolidShape::rectangle) {
         for (const auto& corner : turned_rectangle(solid.size[0], solid.size[1], solid.angle)) add(corner);
+    } else {
+        throw std::logic_error("no outline of a shape: " + std::string(word(solid.shape)));
     }
     return outline;
 }
@@ -150,10 +152,21 @@ Triangles shape_triangles(const Case& c, const Solid& solid) {
         case SolidShape::cylinder:
             return prism(circle_corners(edges_around(c, solid.diameter), solid.diameter), centre,
                          static_cast<std::size_t>(solid.axis), solid.length);
-        default:
+        case SolidShape::box:
             return prism(turned_rectangle(solid.size[0], solid.size[1], solid.angle), centre, 2,
                          solid.size[2]);
+        case SolidShape::free_form:
+        case SolidShape::rectangle:
+        case SolidShape::circle:
+        case SolidShape::bed:
+        case SolidShape::section:
+        case SolidShape::trapezoid:
+        case SolidShape::compound:
+        case SolidShape::pipe:
+        case SolidShape::spheres:
+            break;
     }
+    throw std::logic_error("no triangles of a shape: " + std::string(word(solid.shape)));
 }
 
 Triangles sphere_triangles(const Point3& centre, double diameter, double error) {

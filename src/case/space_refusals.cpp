@@ -252,7 +252,7 @@ CheckList side_wall_refusals() {
             {{"side_walls.layer", "channel.width"},
              "`layer` above a quarter of `channel.width`",
              "the layers of both walls would fill more than half of the channel",
-             "make it thinner",
+             "make it thinner, or where it is not given, and three spacings then, numerics.spacing smaller",
              [](const Case& c) {
                  return found_if(c.side_layer() > 0.25 * c.channel.width, "layer is {}, the channel {} wide",
                                  shown_length(c.side_layer()), shown_length(c.channel.width));

@@ -27,7 +27,7 @@ CheckList start_refusals() {
         {{"start.kind"},
          "`kind = \"column\"` in a case without a column twin: one without a steady uniform flow",
          "",
-         R"(or choose kind = "rest" or "uniform")",
+         R"(or choose kind = "rest", "uniform" or "power-law")",
          [](const Case& c) {
              const auto reason = why_no_column(c);
              return found_if(starts_as(c, StartKind::column) && c.channel.ends != Ends::open && reason,

@@ -6,6 +6,8 @@
 #include <array>
 
 #include "base/error.hpp"
+#include "case/closure_traits.hpp"
+#include "case/flow_kind.hpp"
 
 namespace riffle::inline column {
 
@@ -14,11 +16,7 @@ namespace {
 bool plane(const Case& c) { return c.bed.kind == BedKind::roughness; }
 bool spheres(const Case& c) { return c.bed.kind == BedKind::spheres; }
 
-bool has_kappa(const Case& c) {
-    const ClosureKind closure = c.turbulence.closure;
-    return closure == ClosureKind::ramp || closure == ClosureKind::nezu_rodi ||
-           closure == ClosureKind::czernuszenko_rylov;
-}
+bool has_kappa(const Case& c) { return traits_of(c.turbulence.closure).has_kappa; }
 
 const std::array table{
     CalibrationParameter{
@@ -45,14 +43,12 @@ const std::array table{
                          },
                          [](const Case&) { return 0.8; }, nullptr, has_kappa,
                          R"(turbulence.closure = "ramp", "nezu-rodi" or "czernuszenko-rylov")"},
-    CalibrationParameter{
-        "zero_plane", "turbulence.zero", "m", [](Case& c) -> double& { return c.turbulence.zero; },
-        [](const Case&) { return 0.0; }, [](const Case& c) { return c.crest(); },
-        [](const Case& c) { return c.crest(); },
-        [](const Case& c) {
-            return spheres(c) && (has_kappa(c) || c.turbulence.closure == ClosureKind::nikuradse);
-        },
-        "bed.kind = \"spheres\" and a mixing length"},
+    CalibrationParameter{"zero_plane", "turbulence.zero", "m",
+                         [](Case& c) -> double& { return c.turbulence.zero; },
+                         [](const Case&) { return 0.0; }, [](const Case& c) { return c.crest(); },
+                         [](const Case& c) { return c.crest(); },
+                         [](const Case& c) { return spheres(c) && has_mixing_length(c); },
+                         "bed.kind = \"spheres\" and a mixing length"},
     CalibrationParameter{
         "smagorinsky_constant", "turbulence.smagorinsky_constant", "",
         [](Case& c) -> double& { return c.turbulence.smagorinsky_constant; },

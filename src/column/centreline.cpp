@@ -21,8 +21,6 @@ LogLawFit fit_column_profile(const Case& c, const ColumnResult& column) {
     return fit_log_law(z, u, log_law_kappa, c.datum(), range.from, range.to);
 }
 
-ColumnResult solve_centreline(const Case& c) { return solve_centreline_and_section(c).column; }
-
 Centreline solve_centreline_and_section(const Case& c) {
     Centreline both{solve_column(c), std::nullopt};
     if (!has_section(c)) return both;

@@ -21,9 +21,4 @@ struct Centreline {
 /// Both of them. Throws as solve_column().
 [[nodiscard]] Centreline solve_centreline_and_section(const Case& c);
 
-/// What the measurements at the centreline are compared with: the column, and between side walls the column
-/// with the velocities of the section twin at the centreline (profile, means, log-law fit). Throws as
-/// solve_column().
-[[nodiscard]] ColumnResult solve_centreline(const Case& c);
-
 }  // namespace riffle::inline column

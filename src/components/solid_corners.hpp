@@ -32,11 +32,14 @@ class SolidCorners {
         }
     };
 
+    /// What stands just before a particle of a wall.
+    enum class Before { water, solid, other_solid };
+
     /// Pairs of the water with particles of walls that stand behind the same planes.
     struct Part {
         NeighbourList list;
-        std::uint8_t planes = 0;   ///< as bits
-        bool behind_foot = false;  ///< just before these planes the solid is
+        std::uint8_t planes = 0;  ///< as bits
+        Before before = Before::water;
     };
 
     explicit SolidCorners(const Case& c) : planes_(boundary_planes<D>(c)) {}
@@ -65,8 +68,9 @@ class SolidCorners {
         });
         parts_.clear();
         for (const int kind : found) {
-            Part part{
-                .list = all, .planes = static_cast<std::uint8_t>(kind / 2), .behind_foot = kind % 2 == 1};
+            Part part{.list = all,
+                      .planes = static_cast<std::uint8_t>(kind / 3),
+                      .before = static_cast<Before>(kind % 3)};
             std::fill(part.list.masks.begin(), part.list.masks.end(), std::uint8_t{0});
             for_walls([&](std::size_t mask, std::size_t slot) {
                 if (kinds[slot] != kind) return;
@@ -82,7 +86,8 @@ class SolidCorners {
     /// What a part does to the particle in a slot that belongs to the solid.
     [[nodiscard]] Share share(const Part& part, std::size_t slot) const {
         const unsigned through = part.planes & over_[slot];
-        const double along = part.behind_foot ? 1.0 : through != 0 ? from_beside : 0.0;
+        const double beside = part.before == Before::water && through != 0 ? from_beside : 0.0;
+        const double along = part.before == Before::solid ? 1.0 : beside;
         Share share{.along = {along, along, along}, .rubs = through == part.planes};
         for (std::size_t plane = 0; plane < planes_.size(); ++plane) {
             if ((part.planes & 1U << plane) == 0) continue;
@@ -152,8 +157,8 @@ class SolidCorners {
         }
     }
 
-    /// Twice the planes that a particle of a wall stands behind, as bits, and one where the solid stands just
-    /// before them; `none` where it matters to no particle of the water.
+    /// Three times the planes that a particle of a wall stands behind, as bits, and what stands just before
+    /// them; `none` where it matters to no particle of the water.
     [[nodiscard]] int kind_of(const Flow& flow, const SolidSurfaces& surfaces, std::size_t solid,
                               std::size_t slot) const {
         if (flow.wall_clusters.particle_of(slot) < 0) return none;
@@ -165,9 +170,20 @@ class SolidCorners {
             if (planes_[plane].template distance<D>(place) <= 0.0) behind |= 1U << plane;
         }
         if (behind == 0) return none;
-        const bool behind_foot = stands_on(flow, surfaces, solid, behind, place);
-        if (!behind_foot && (behind & present_) == 0) return none;
-        return static_cast<int>(2 * behind) + (behind_foot ? 1 : 0);
+        Before before = Before::water;
+        if (stands_on(flow, surfaces, solid, behind, place)) {
+            before = Before::solid;
+        } else if ((behind & present_) == 0) {
+            return none;
+        } else {
+            // Where two solids meet toe to toe what is behind the other's foot pushes along the wall for that
+            // one.
+            for (std::size_t other = 0; other < flow.c.solids.size(); ++other) {
+                if (other == solid || !flow.c.solids[other].rests()) continue;
+                if (stands_on(flow, surfaces, other, behind, place)) before = Before::other_solid;
+            }
+        }
+        return static_cast<int>(3 * behind) + static_cast<int>(before);
     }
 
     std::vector<BoundaryPlane> planes_;

@@ -37,9 +37,14 @@ Holding holding_of(const Case& c) {
         case OutflowKind::weir:
             return {"[outflow] kind = \"weir\": the weir",
                     "raise weir_height, or make weir_coefficient smaller", false};
-        default:
-            return {};
+        case OutflowKind::normal_depth:
+        case OutflowKind::critical_depth:
+        case OutflowKind::free:
+        case OutflowKind::free_fall:
+        case OutflowKind::pressure:
+            break;
     }
+    return {};
 }
 
 }  // namespace

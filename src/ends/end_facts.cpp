@@ -200,11 +200,14 @@ std::string characteristic_text(const Case& c, const FlowAtEnd& end) {
     if (!end.critical_depth || !(end.critical_depth->largest > 0.0)) return "";
     const Extremes critical = *end.critical_depth;
     constexpr double noticed_slope = 0.045;  // 1 - cos θ = 1e-3
-    std::string text = fmt::format("critical depth {}{}",
-                                   end.critical_of_profile           ? ""
-                                   : c.channel.slope > noticed_slope ? "(q²/(g cos θ))^(1/3) = "
-                                                                     : "(q²/g)^(1/3) = ",
-                                   millimetres(critical));
+    const bool above_datum = end.floor == 0.0 && c.datum() > 0.0;
+    const std::string law = c.channel.slope > noticed_slope ? "(q²/(g cos θ))^(1/3)" : "(q²/g)^(1/3)";
+    std::string text = "critical depth ";
+    if (!end.critical_of_profile) {
+        text += law + (above_datum ? fmt::format(" less the {:.4g} mm up to the datum = ", 1e3 * c.datum())
+                                   : " = ");
+    }
+    text += millimetres(critical);
     if (end.normal_depth) {
         const Extremes normal = *end.normal_depth;
         text += fmt::format(", normal depth {}", millimetres(normal));

@@ -25,7 +25,12 @@ StrainMeasure strain_measure(const Case& c) {
             return StrainMeasure::wale;
         case ClosureKind::vreman:
             return StrainMeasure::vreman;
-        default:
+        case ClosureKind::none:
+        case ClosureKind::ramp:
+        case ClosureKind::nezu_rodi:
+        case ClosureKind::nikuradse:
+        case ClosureKind::sps:
+        case ClosureKind::czernuszenko_rylov:
             break;
     }
     switch (c.turbulence.eddy_rate) {
@@ -33,9 +38,10 @@ StrainMeasure strain_measure(const Case& c) {
             return StrainMeasure::rotation;
         case EddyRate::strain_and_rotation:
             return StrainMeasure::strain_and_rotation;
-        default:
-            return StrainMeasure::strain_rate;
+        case EddyRate::strain:
+            break;
     }
+    return StrainMeasure::strain_rate;
 }
 
 /// l_y/l_x of the closure of a case.

@@ -93,28 +93,35 @@ ProbeSet::ProbeSet(const Case& c, double largest_step) {
     notes_ = std::move(standard.notes);
 }
 
+bool ProbeSet::Member::is_due(double time) const { return has_come(time, due, interval()); }
+
+double ProbeSet::Member::interval() const { return 1.0 / instrument->probe().sampling_frequency; }
+
 bool ProbeSet::due_for_fluid(double time) const {
     return std::any_of(members_.begin(), members_.end(),
-                       [&](const Member& m) { return time >= m.due && m.instrument->looks_at_fluid(); });
+                       [&](const Member& m) { return m.is_due(time) && m.instrument->looks_at_fluid(); });
 }
 
 bool ProbeSet::due_for_fields_in_fluid(double time) const {
     return std::any_of(members_.begin(), members_.end(), [&](const Member& m) {
-        return time >= m.due && m.instrument->looks_at_fluid() && m.instrument->needs_fields();
+        return m.is_due(time) && m.instrument->looks_at_fluid() && m.instrument->needs_fields();
     });
 }
 
 double ProbeSet::forces_due() const {
     double due = std::numeric_limits<double>::infinity();
-    for (const Member& m : members_) due = m.instrument->needs_fields() ? std::min(due, m.due) : due;
+    for (const Member& m : members_) {
+        if (m.instrument->needs_fields()) due = std::min(due, m.due - due_tolerance(m.due, m.interval()));
+    }
     return due;
 }
 
 void ProbeSet::record(const FlowState& state, bool looks_at_fluid) {
     for (Member& m : members_) {
-        if (state.time >= m.due && m.instrument->looks_at_fluid() == looks_at_fluid) {
+        if (m.is_due(state.time) && m.instrument->looks_at_fluid() == looks_at_fluid) {
             m.instrument->sample(state);
-            m.due = due_after_at_frequency(state.time, m.instrument->probe().sampling_frequency);
+            m.due =
+                due_after_at_frequency(std::max(state.time, m.due), m.instrument->probe().sampling_frequency);
         }
     }
 }

@@ -49,6 +49,9 @@ class ProbeSet {
         bool standard = false;
         double due = 0.0;       ///< next sample, s
         std::size_t taken = 0;  ///< rows taken so far
+
+        [[nodiscard]] bool is_due(double time) const;
+        [[nodiscard]] double interval() const;  ///< between samples, s
     };
     [[nodiscard]] const std::vector<Member>& members() const { return members_; }
     /// What the standard set leaves out, and why.

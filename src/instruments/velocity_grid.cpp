@@ -60,9 +60,9 @@ class VelocityGrid final : public Instrument {
             }
         });
         samples_ += 1.0;
-        if (state.time >= window_end_) {
+        if (has_come(state.time, window_end_, probe().averaging_time)) {
             finish_window();
-            window_end_ = window_after(state.time);
+            window_end_ = window_after(std::max(state.time, window_end_));
         }
     }
     [[nodiscard]] bool needs_fields() const override { return true; }

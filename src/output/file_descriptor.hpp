@@ -25,7 +25,6 @@ class FileDescriptor {
     FileDescriptor& operator=(const FileDescriptor&) = delete;
 
     [[nodiscard]] int get() const { return descriptor_; }
-    [[nodiscard]] bool is_open() const { return descriptor_ >= 0; }
     [[nodiscard]] std::uint64_t size() const;
 
     void write(std::span<const std::byte> bytes) const;

@@ -89,7 +89,9 @@ std::vector<CaseDifference> case_differences(const std::vector<const Case*>& cas
             }
             CaseDifference difference{key.id(), words(key.name), {}};
             for (const Case* c : cases) {
-                difference.values.push_back(key_applies(key, *c) ? shown_value(key, *c) : "–");
+                // A list of none, of solids say, is no value either.
+                std::string value = key_applies(key, *c) ? shown_value(key, *c) : std::string();
+                difference.values.push_back(value.empty() || value == "[]" ? "–" : std::move(value));
             }
             const auto& values = difference.values;
             const bool same = std::all_of(values.begin(), values.end(),

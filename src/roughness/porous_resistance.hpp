@@ -80,9 +80,6 @@ class PorousMedia {
         [[nodiscard]] double along(double size_of_q) const {
             return force_linear + force_quadratic * size_of_q;
         }
-        [[nodiscard]] bool in_edge() const {
-            return normal[0] != 0.0 || normal[1] != 0.0 || normal[2] != 0.0;
-        }
     };
     [[nodiscard]] At at(double x, double y, double z) const;
     /// The same with the normal of the edge, in so many dimensions.

@@ -141,11 +141,11 @@ void MeanField::sample(const SimulationIn<3>& simulation) {
     });
     std::vector<std::uint32_t>().swap(order_);
     samples_ += 1.0;
-    if (simulation.clock().time >= window_end_) {
+    if (has_come(simulation.clock().time, window_end_, interval_)) {
         ends_.push_back(window_end_);
         closed_ = true;
         closed_taken_ = false;
-        window_end_ = window_after(simulation.clock().time);
+        window_end_ = window_after(std::max(simulation.clock().time, window_end_));
     }
 }
 

@@ -152,10 +152,10 @@ void ProfileSampler::sample(const SimulationIn<D>& simulation) {
             });
     }
     current_.samples += 1.0;
-    if (simulation.clock().time >= current_.end) {
+    if (has_come(simulation.clock().time, current_.end, profile_block_duration)) {
         blocks_.push_back(current_);
         // Blocks end on multiples of their duration; a long step may pass several.
-        current_.end = due_after(simulation.clock().time, profile_block_duration);
+        current_.end = due_next(simulation.clock().time, current_.end, profile_block_duration);
         current_.samples = 0.0;
         std::fill(current_.sums.begin(), current_.sums.end(), 0.0);
     }

@@ -21,8 +21,8 @@ namespace {
 
 /// Whether something with this interval is due, and when next. An interval of 0 means never.
 bool is_due(double time, double interval, double& due) {
-    if (interval <= 0.0 || time < due) return false;
-    due = due_after(time, interval);
+    if (interval <= 0.0 || !has_come(time, due, interval)) return false;
+    due = due_next(time, due, interval);
     return true;
 }
 
@@ -109,7 +109,7 @@ Recorder::Recorder(const Case& c, const Twins& twins)
 
 double Recorder::fields_due() const {
     const auto next = [](double interval, double due) {
-        return interval > 0.0 ? due : std::numeric_limits<double>::infinity();
+        return interval > 0.0 ? due - due_tolerance(due, interval) : std::numeric_limits<double>::infinity();
     };
     const Output& output = case_.output;
     return std::min({next(output.series_interval, due_.series), next(output.profile_interval, due_.profile),

@@ -240,7 +240,8 @@ bool RunSession<D>::finished() const {
 template <int D>
 double RunSession<D>::fields_due() const {
     // The end comes with the time of the case, or with a test of convergence.
-    return std::min({recorder_->fields_due(), next_test_, case_.run.time * (1.0 - 1e-12)});
+    return std::min({recorder_->fields_due(), next_test_ - due_tolerance(next_test_, test_interval),
+                     case_.run.time * (1.0 - 1e-12)});
 }
 
 template <int D>
@@ -253,8 +254,8 @@ RunOutcome RunSession<D>::advance() {
         recorder_->record(*simulation_);
         report_losses();
         report_end_events();
-        if (simulation_->clock().time >= next_test_) {
-            next_test_ = due_after(simulation_->clock().time, test_interval);
+        if (has_come(simulation_->clock().time, next_test_, test_interval)) {
+            next_test_ = due_next(simulation_->clock().time, next_test_, test_interval);
             update_convergence(false);
         }
         if (seconds_since(last_progress_) >= case_.output.progress_interval) report_progress();

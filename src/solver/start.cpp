@@ -98,9 +98,16 @@ double start_velocity(const Case& c, const Scheme& scheme, const ColumnResult* c
             const double top = c.start.velocity.value_or(column != nullptr ? column->surface_velocity : 0.0);
             return top * std::pow(std::max(0.0, z / scheme.depth), 1.0 / c.start.exponent);
         }
-        default:
-            return 0.0;
+        case StartKind::rest:
+        case StartKind::results:
+        case StartKind::standing_wave:
+        case StartKind::taylor_green:
+        case StartKind::isotropic:
+        case StartKind::section:
+        case StartKind::backwater:
+            break;
     }
+    return 0.0;
 }
 
 /// The start of a channel with open ends.
@@ -129,9 +136,17 @@ class OpenStart {
                 const double top = c_.start.velocity.value_or(unit_discharge_ / water * (m + 1.0) / m);
                 return top * std::pow(std::max(0.0, z / water), 1.0 / m);
             }
-            default:
-                return unit_discharge_ / water * input_.entering->mean_at(y, z / water);
+            case StartKind::column:
+            case StartKind::rest:
+            case StartKind::results:
+            case StartKind::standing_wave:
+            case StartKind::taylor_green:
+            case StartKind::isotropic:
+            case StartKind::section:
+            case StartKind::backwater:
+                break;
         }
+        return unit_discharge_ / water * input_.entering->mean_at(y, z / water);
     }
 
   private:

@@ -32,9 +32,14 @@ bool starts_with_streaks(const Case& c) {
         case StartKind::power_law:
         case StartKind::backwater:
             return c.channel.ends == Ends::periodic || c.channel.ends == Ends::open;
-        default:
-            return false;
+        case StartKind::rest:
+        case StartKind::results:
+        case StartKind::standing_wave:
+        case StartKind::taylor_green:
+        case StartKind::isotropic:
+            break;
     }
+    return false;
 }
 
 StartStreaks::StartStreaks(const Case& c, double depth, double width)

@@ -15,8 +15,8 @@ namespace riffle::inline sph {
 
 /// A kernel as polynomials of degree 7 on equal pieces of its radius, W and dW/dq for h = 1: one type for the
 /// pair loops, whatever the kernel. With six pieces all knots of the splines lie between pieces, and the
-/// error is below the rounding of single precision (tests/unit/sph/kernel_table_test.cpp); double precision
-/// takes 48. Polynomials are of t in [-1, 1] on the piece; beyond the radius they vanish.
+/// error is below the rounding of single precision (KernelTable.* of tests/unit/sph/kernel_test.cpp); double
+/// precision takes 48. Polynomials are of t in [-1, 1] on the piece; beyond the radius they vanish.
 template <class Real>
 struct KernelTable {
     static constexpr int pieces = std::is_same_v<Real, float> ? 6 : 48;

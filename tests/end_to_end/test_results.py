@@ -5,6 +5,10 @@ import sys
 from riffle_cli import CASE, SKIPPED, SMALL, SOURCE, CommandLineTest, every, main, text, until
 
 
+# Their sum falls short of 0.3 s by 1.7e-14 s.
+LAST_STEP, LAST_STEPS = 1e-4, 3000
+
+
 class Results(CommandLineTest):
     def test_snapshots_stand_at_their_times_and_at_the_end(self):
         import h5py
@@ -53,6 +57,18 @@ class Results(CommandLineTest):
             self.assertEqual(sorted(one["snapshots"]), sorted(other["snapshots"]))
             for name in one["snapshots"]:
                 self.assertTrue((one[f"snapshots/{name}/position"][:] == other[f"snapshots/{name}/position"][:]).all())
+
+    def test_the_last_samples_are_kept_where_the_steps_add_up_to_the_end_but_for_rounding(self):
+        import h5py
+
+        total = 0.0
+        for _ in range(LAST_STEPS):
+            total += LAST_STEP
+        self.assertLess(total, LAST_STEPS * LAST_STEP, "rounding must fall short of the end for this test to say anything")
+        folder = self.run_small("even", LAST_STEPS * LAST_STEP, "--set", f"numerics.time_step={LAST_STEP} s")
+        with h5py.File(folder / "results.h5", "r") as file:
+            for times in ("time_series/time", "profile_blocks/time", "surface/time", "probes/standard_velocity/time"):
+                self.assertAlmostEqual(file[times][-1], LAST_STEPS * LAST_STEP, delta=1e-9, msg=times)
 
     def test_series_and_profiles_are_finite_and_in_order(self):
         import h5py

@@ -139,7 +139,7 @@ def _table(check, beds):
         + share("pressure_of_pairs")(b), "100 % with viscosity and closure")
     row("standard deviation of the surface, mm", finding("plan_standard_deviation", 1e3), measured(lambda m: f"{1e3 * m.surface:.2f}"))
     for key, label in (("advected", "carried along by the water"), ("waves_downstream", "waves going downstream"), ("waves_upstream", "waves going upstream"),
-                       ("bed_locked", "locked to the bed"), ("other", "none of these")):
+                       ("waves_across", "waves going across"), ("bed_locked", "locked to the bed"), ("other", "none of these")):
         row(f"of its variance, {label}", finding(f"surface_share_{key}"), "")
     row("celerity of the ridge of the (k, omega) spectrum over U",
         lambda b: f"{b.findings['celerity_ridge'] / b.depth_mean_velocity():.2f}" if "celerity_ridge" in b.findings else "-", "1: advected with the flow")

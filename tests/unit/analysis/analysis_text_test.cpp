@@ -29,7 +29,7 @@ TEST(AnalysisText, SaysValueIntervalReferenceAndDifference) {
     figure.missing = "no surface";
     analysis.figures = {figure};
     const std::string text = analysis_to_text(analysis);
-    EXPECT_THAT(text, HasSubstr("Statistics of the velocity\n"));
+    EXPECT_THAT(text, HasSubstr("Statistics of the record\n"));
     EXPECT_THAT(text, HasSubstr("0.3 ± 0.0012"));
     EXPECT_THAT(text, HasSubstr("      0.25: measured, +20.0 %\n      why it differs\n"));
     EXPECT_THAT(text, HasSubstr("surface_map: no surface"));

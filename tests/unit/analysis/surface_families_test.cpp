@@ -111,6 +111,23 @@ TEST(SurfaceFamilies, NoiseIsMostlyOther) {
     const SurfaceMakeup makeup = surface_makeup(plan, waves(), 0.38, 0.42, 200);
     EXPECT_NEAR(makeup.whole(), 1e-8, 3e-10);
     EXPECT_GT(makeup.share(SurfaceFamily::other), 0.6);
+    for (std::size_t k = 0; k < surface_families; ++k) {
+        const auto family = static_cast<SurfaceFamily>(k);
+        EXPECT_NEAR(makeup.share(family), makeup.share_of_noise(family), 0.01) << k;
+    }
+}
+
+// Waves straight across go neither downstream nor upstream.
+TEST(SurfaceFamilies, WavesAcrossAreAFamilyOfTheirOwn) {
+    SurfacePlan plan = empty_plan(600, 0.02);
+    const double k = 2.0 * pi / 0.0866;
+    for (std::size_t at = 0; at < plan.elevation.size(); ++at) {
+        const double y = plan.spacing_y * static_cast<double>(at / plan.columns % plan.rows);
+        const double t = plan.interval * static_cast<double>(at / (plan.rows * plan.columns));
+        plan.elevation[at] = 1e-4 * std::cos(k * y - own(0.0, k) * t);
+    }
+    const SurfaceMakeup makeup = surface_makeup(plan, waves(), 0.38, 0.42, 200);
+    EXPECT_GT(makeup.share(SurfaceFamily::waves_across), 0.98);
 }
 
 TEST(SurfaceFamilies, RefuseWhatIsNoRecord) {

@@ -22,5 +22,21 @@ TEST(DueTimes, StandStillForRounding) {
     }
 }
 
+// 7 s of steps of 0.7 ms add up to 6.99999999999987 s.
+TEST(DueTimes, HaveComeWhereOnlyRoundingIsMissing) {
+    double time = 0.0;
+    double due = due_after(0.0, 0.7);
+    int passed = 0;
+    for (int step = 1; step <= 10000; ++step) {
+        time += 0.0007;
+        if (!has_come(time, due, 0.7)) continue;
+        ++passed;
+        EXPECT_EQ(step, 1000 * passed);
+        due = due_next(time, due, 0.7);
+        EXPECT_FALSE(has_come(time, due, 0.7));
+    }
+    EXPECT_EQ(passed, 10);
+}
+
 }  // namespace
 }  // namespace riffle::due_times_test

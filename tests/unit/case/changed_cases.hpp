@@ -345,7 +345,6 @@ inline Case with_probe(ProbeKind kind) {
     return c;
 }
 
-/// A case with other values of keys: "channel.depth = 5 mm; solid[1].start = 5".
 /// One whose files are looked for.
 inline Case open_channel_in_file() {
     Case c = open_channel();
@@ -353,13 +352,21 @@ inline Case open_channel_in_file() {
     return c;
 }
 
+/// A case with other values of keys: "channel.depth = 5 mm; solid[1].start = 5".
 inline Case with_keys(Case c, const std::string& keys) {
-    const std::regex setting(R"(([a-z_]+)(\[(\d)\])?\.([a-z_]+) = ([^;]+))");
-    for (std::sregex_iterator it(keys.begin(), keys.end(), setting); it != std::sregex_iterator(); ++it) {
-        const std::smatch& m = *it;
+    // One setting at a time: a regular expression takes a frame of the stack for each character that it
+    // matches.
+    static const std::regex setting(R"(\s*([a-z_]+)(\[(\d)\])?\.([a-z_]+) = )");
+    for (std::size_t begin = 0; begin < keys.size();) {
+        const std::size_t end = std::min(keys.find(';', begin), keys.size());
+        const std::string each = keys.substr(begin, end - begin);
+        begin = end + 1;
+        std::smatch m;
+        if (!std::regex_search(each, m, setting, std::regex_constants::match_continuous)) continue;
         const Key& key = *find_key(m[1].str(), m[4].str());
-        const auto value = m[5] == "[]" ? Value(std::vector<double>{})
-                                        : std::get<Value>(convert(key, read_option_value(m[5])));
+        const std::string text = m.suffix();
+        const auto value = text == "[]" ? Value(std::vector<double>{})
+                                        : std::get<Value>(convert(key, read_option_value(text)));
         key.set(c, value, m[3].matched ? std::stoul(m[3]) : 0);
     }
     return c;
