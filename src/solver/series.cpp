@@ -1,6 +1,7 @@
 #include "solver/series.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <numbers>
@@ -23,18 +24,32 @@ struct Layer {
     double count = 0.0, u = 0.0, v = 0.0, w = 0.0, uu = 0.0, vv = 0.0, ww = 0.0, cosine = 0.0, sine = 0.0;
 
     void add(const Layer& other) {
-        for (double Layer::*const sum : {&Layer::count, &Layer::u, &Layer::v, &Layer::w, &Layer::uu,
-                                         &Layer::vv, &Layer::ww, &Layer::cosine, &Layer::sine}) {
-            this->*sum += other.*sum;
-        }
+        constexpr std::array sums{&Layer::count, &Layer::u,  &Layer::v,      &Layer::w,   &Layer::uu,
+                                  &Layer::vv,    &Layer::ww, &Layer::cosine, &Layer::sine};
+        static_assert(sizeof(Layer) == sums.size() * sizeof(double), "each sum is added");
+        for (double Layer::*const sum : sums) this->*sum += other.*sum;
     }
 };
 
-struct Totals {
+/// Sums over the particles.
+struct Sums {
     double mass = 0.0, momentum = 0.0, above = 0.0, above_mass = 0.0, energy = 0.0;
     double drag = 0.0, wall = 0.0, pairs = 0.0;
     double vegetation = 0.0, porous = 0.0, side_wall = 0.0, centre = 0.0, centre_mass = 0.0, secondary = 0.0;
     double potential = 0.0, elastic = 0.0, volume = 0.0;
+
+    void add(const Sums& other) {
+        constexpr std::array sums{&Sums::mass,        &Sums::momentum,  &Sums::above,     &Sums::above_mass,
+                                  &Sums::energy,      &Sums::drag,      &Sums::wall,      &Sums::pairs,
+                                  &Sums::vegetation,  &Sums::porous,    &Sums::side_wall, &Sums::centre,
+                                  &Sums::centre_mass, &Sums::secondary, &Sums::potential, &Sums::elastic,
+                                  &Sums::volume};
+        static_assert(sizeof(Sums) == sums.size() * sizeof(double), "each sum is added");
+        for (double Sums::*const sum : sums) this->*sum += other.*sum;
+    }
+};
+
+struct Totals : Sums {
     double fastest = 0.0;
     std::int64_t particles = 0;
     Furthest upstream;  ///< of -x
@@ -44,13 +59,7 @@ struct Totals {
     std::vector<Layer> layers;
 
     void add(const Totals& other) {
-        for (double Totals::*const sum :
-             {&Totals::mass, &Totals::momentum, &Totals::above, &Totals::above_mass, &Totals::energy,
-              &Totals::drag, &Totals::wall, &Totals::pairs, &Totals::vegetation, &Totals::porous,
-              &Totals::side_wall, &Totals::centre, &Totals::centre_mass, &Totals::secondary,
-              &Totals::potential, &Totals::elastic, &Totals::volume}) {
-            this->*sum += other.*sum;
-        }
+        Sums::add(other);
         fastest = std::max(fastest, other.fastest);
         particles += other.particles;
         upstream.add(other.upstream);

@@ -313,6 +313,18 @@ TEST(FlowAtEnds, OverTwoBedsHasTheDepthsOfBoth) {
     EXPECT_THAT(text_of(c), HasSubstr("of it at the outflow: critical depth "));
 }
 
+// Depths count from the datum, 6 mm above the floor: so does that of the formula where no twin has a profile.
+TEST(FlowAtEnds, TheCriticalDepthOfTheFormulaIsSaidToBeLessTheDatum) {
+    Case c = rough_case(
+        "[inflow]\nunit_discharge = \"0.0174 m2/s\"\n[outflow]\nkind = \"depth\"\ndepth = \"50 mm\"\n");
+    c.channel.dimensions = 3;
+    c.channel.width = 0.1;
+    c.turbulence.closure = ClosureKind::wale;
+    c.inflow.profile = InflowProfile::uniform;
+    // (0.0174^2/9.81)^(1/3) = 31.37 mm.
+    EXPECT_THAT(text_of(c), HasSubstr("(q²/g)^(1/3) less the 6 mm up to the datum = 25.37 mm"));
+}
+
 // Beyond the points of a profile its last values go on: to be told where that is more than a row.
 TEST(FlowAtEnds, AProfileOfAPartOfTheDepthIsTold) {
     test::TemporaryFolder folder;
