@@ -19,6 +19,7 @@
 #include "column/canal_flow.hpp"
 #include "ends/end_input.hpp"
 #include "record/flow_fields.hpp"
+#include "record/probe_fields.hpp"
 #include "statistics/confidence.hpp"
 
 namespace riffle::inline analysis {

@@ -10,6 +10,7 @@
 #include "base/interpolation.hpp"
 #include "base/not_a_number.hpp"
 #include "case/sphere_tiling.hpp"
+#include "record/flow_fields.hpp"
 #include "statistics/record.hpp"
 
 namespace riffle::inline analysis {

@@ -7,9 +7,12 @@
 #include <cmath>
 #include <cstddef>
 #include <numbers>
+#include <stdexcept>
+#include <string>
 
 #include "base/error.hpp"
 #include "case/cross_section.hpp"
+#include "case/words.hpp"
 
 namespace riffle::inline case_file {
 
