@@ -14,6 +14,7 @@
 #include "analysis/flood_passage.hpp"
 #include "base/error.hpp"
 #include "base/not_a_number.hpp"
+#include "case/end_levels.hpp"
 #include "case/flow_kind.hpp"
 #include "case/porous_zone.hpp"
 #include "column/canal_flow.hpp"
@@ -279,7 +280,7 @@ void analyse_along(const FlowRecord& record, Analysis& analysis) {
     if (record.flow() == nullptr || record.origin() != Origin::simulated) return;
     const Case& c = *record.flow();
     const bool space = c.channel.dimensions == 3;
-    const bool flood = has_hydrograph(c);
+    const bool flood = inflow_changes(c);
     Figure figure = make_figure(
         chapters::along, "long_profile", "Long profile",
         fmt::format(

@@ -68,17 +68,16 @@ void add_log_law(const FlowRecord& record, const FittedFlow& flow, Figure& laws,
     const auto value = [](double best, double half_width, const Interval& interval) {
         return FittedValue{best, half_width, interval};
     };
-    const std::optional<double> given = has_rough_bed(c) ? std::nullopt : c.bed.equivalent_roughness;
     analysis.findings.push_back(against(
         fitted(
             "log_law_friction_velocity", "friction velocity u*, log-law fit", "m/s",
             value(fit.friction_velocity, fit.friction_velocity_half_width, fit.friction_velocity_interval)),
         c.measured.friction_velocity, measured_name(c)));
     analysis.findings.push_back(
-        against(fitted("equivalent_roughness", "equivalent sand roughness ks, log-law fit", "m",
-                       value(fit.equivalent_roughness, fit.equivalent_roughness_half_width,
-                             fit.equivalent_roughness_interval)),
-                given ? given : c.measured.equivalent_roughness, given ? "of the bed" : measured_name(c)));
+        against_roughness(fitted("equivalent_roughness", "equivalent sand roughness ks, log-law fit", "m",
+                                 value(fit.equivalent_roughness, fit.equivalent_roughness_half_width,
+                                       fit.equivalent_roughness_interval)),
+                          c));
     analysis.findings.push_back(make_finding(chapters::fits, "log_law_residual",
                                              "rms residual of the log law", "m/s", fit.residual_rms));
     const LogLawFit free = fit_log_law_with_zero_plane(flow.points, log_law_kappa, flow.log_law_range);

@@ -98,11 +98,6 @@ Curve column_curve(const ColumnProfile& column, const std::vector<double>& value
     return profile_curve("column twin", Origin::column, thinned(values, most), thinned(column.z, most));
 }
 
-bool between_side_walls(const FlowRecord& record) {
-    return record.origin() == Origin::simulated && record.flow() != nullptr &&
-           record.flow()->has_side_walls();
-}
-
 void add_twin(const FlowRecord& record, const std::vector<double> ColumnProfile::*of_column,
               const std::vector<double> SectionTwin::*of_section, Figure& figure) {
     if (!between_side_walls(record)) {

@@ -9,6 +9,7 @@
 
 #include "analysis/figure_tools.hpp"
 #include "analysis/section_parts.hpp"
+#include "case/flow_kind.hpp"
 #include "hydraulics/channel_laws.hpp"
 
 namespace riffle::inline analysis {
@@ -127,6 +128,13 @@ Finding fitted(std::string key, std::string label, std::string unit, const Fitte
         if (finding.unit != "1") finding.remark += " " + (length ? std::string("mm") : finding.unit);
     }
     return finding;
+}
+
+Finding against_roughness(Finding finding, const Case& c, std::string remark) {
+    if (!has_rough_bed(c) && c.bed.equivalent_roughness) {
+        return against(std::move(finding), c.bed.equivalent_roughness, "of the bed", std::move(remark));
+    }
+    return against(std::move(finding), c.measured.equivalent_roughness, measured_name(c), std::move(remark));
 }
 
 void warn_of_failure(Analysis& analysis, const char* law, const FitQuality& fit) {

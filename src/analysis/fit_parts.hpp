@@ -25,6 +25,9 @@ struct FittedFlow {
 /// A finding of the chapter from a fitted number; lopsided intervals stand in its remark.
 [[nodiscard]] Finding fitted(std::string key, std::string label, std::string unit, const FittedValue& value);
 
+/// Add to a roughness that was found the given one of a bed by its roughness, else the measured one.
+[[nodiscard]] Finding against_roughness(Finding finding, const Case& c, std::string remark = {});
+
 /// Say that a law could not be fitted, and why.
 void warn_of_failure(Analysis& analysis, const char* law, const FitQuality& fit);
 

@@ -8,7 +8,6 @@
 #include "analysis/chapters.hpp"
 #include "analysis/figure_tools.hpp"
 #include "analysis/fit_parts.hpp"
-#include "case/flow_kind.hpp"
 #include "hydraulics/channel_laws.hpp"
 #include "hydraulics/law_fits.hpp"
 
@@ -35,10 +34,7 @@ void add_roughness_of_stress(const FlowRecord& record, const FittedFlow& flow, A
         remark += fmt::format("{}the measured U and u* have {:.4g} m by the same law",
                               remark.empty() ? "" : "; ", of_mean);
     }
-    const bool given = !has_rough_bed(c) && c.bed.equivalent_roughness.has_value();
-    analysis.findings.push_back(against(std::move(finding),
-                                        given ? c.bed.equivalent_roughness : measured.equivalent_roughness,
-                                        given ? "of the bed" : measured_name(c), remark));
+    analysis.findings.push_back(against_roughness(std::move(finding), c, remark));
 }
 
 void add_kappa(const FlowRecord& record, const FittedFlow& flow, Analysis& analysis) {

@@ -10,6 +10,7 @@
 #include "analysis/chapter_names.hpp"
 #include "analysis/figure_tools.hpp"
 #include "analysis/running_means.hpp"
+#include "case/end_levels.hpp"
 #include "record/probe_fields.hpp"
 
 namespace riffle::inline analysis {
@@ -194,12 +195,8 @@ void add_highest(const FlowRecord& record, Analysis& analysis) {
 
 }  // namespace
 
-bool has_hydrograph(const Case& c) {
-    return c.channel.ends == Ends::open && (!c.inflow.discharge_file.empty() || !c.inflow.depth_file.empty());
-}
-
 void add_flood_passage(const FlowRecord& record, Analysis& analysis) {
-    if (record.flow() == nullptr || !has_hydrograph(*record.flow())) return;
+    if (record.flow() == nullptr || !inflow_changes(*record.flow())) return;
     const bool space = record.flow()->channel.dimensions == 3;
     const std::vector<Section> sections = sections_of(record);
     add_crests(sections, space, analysis);

@@ -5,9 +5,6 @@
 
 namespace riffle::inline analysis {
 
-/// Whether what enters the channel follows a file in time, as a flood does.
-[[nodiscard]] bool has_hydrograph(const Case& c);
-
 /// Figures and findings of a flood that passes the sections of the instruments: the largest discharge and
 /// depth of each, when they pass, how much the crest lags behind the one at the inflow and is less, the loop
 /// of the rating, and the highest level recorded anywhere. Nothing without a hydrograph.

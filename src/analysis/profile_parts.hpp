@@ -25,10 +25,6 @@ namespace riffle::inline analysis {
 /// A curve of the column twin, thinned to what a figure can show.
 [[nodiscard]] Curve column_curve(const ColumnProfile& column, const std::vector<double>& values);
 
-/// Whether the profiles of a run are means over a width with side walls: neither the column twin, of a wide
-/// channel, nor what was measured at the centreline is like them.
-[[nodiscard]] bool between_side_walls(const FlowRecord& record);
-
 /// The twin beside a profile over the whole plan: the column's, between side walls the section's mean over
 /// the width, where `of_section` names it.
 void add_twin(const FlowRecord& record, const std::vector<double> ColumnProfile::*of_column,

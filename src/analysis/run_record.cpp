@@ -1,5 +1,4 @@
 #include "analysis/run_record.hpp"
-#include "analysis/flood_passage.hpp"
 
 #include <fmt/format.h>
 
@@ -16,6 +15,7 @@
 #include "analysis/run_profiles.hpp"
 #include "analysis/run_snapshots.hpp"
 #include "base/error.hpp"
+#include "case/end_levels.hpp"
 #include "record/flow_fields.hpp"
 #include "record/run_fields.hpp"
 
@@ -51,7 +51,7 @@ struct RunRecord::Impl {
                 asked.from, asked.to, path.string(), first, last));
         }
         // A flow that nothing drives steadily, and a flood, are of interest from their start to their end.
-        if (is_undriven(flow_kind(flow)) || has_hydrograph(flow)) return {0.0, last};
+        if (is_undriven(flow_kind(flow)) || inflow_changes(flow)) return {0.0, last};
         if (const auto averaged = results.averaging_window()) return {averaged->first, averaged->second};
         return {0.5 * (first + last), last};
     }

@@ -2,11 +2,16 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
 #include <numeric>
 
 namespace riffle::inline analysis {
 
-std::vector<double> running_means(const std::vector<double>& values, std::size_t width) {
+std::vector<double> running_means(const std::vector<double>& time, const std::vector<double>& values,
+                                  double stretch) {
+    if (time.size() < 2) return values;
+    const double interval = (time.back() - time.front()) / static_cast<double>(time.size() - 1);
+    const auto width = std::max<std::size_t>(1, static_cast<std::size_t>(std::lround(stretch / interval)));
     std::vector<double> sums(values.size() + 1, 0.0);
     std::partial_sum(values.begin(), values.end(), sums.begin() + 1);
     std::vector<double> means(values.size());
@@ -16,14 +21,6 @@ std::vector<double> running_means(const std::vector<double>& values, std::size_t
         means[i] = (sums[last] - sums[first]) / static_cast<double>(last - first);
     }
     return means;
-}
-
-std::vector<double> running_means(const std::vector<double>& time, const std::vector<double>& values,
-                                  double stretch) {
-    if (time.size() < 2) return values;
-    const double interval = (time.back() - time.front()) / static_cast<double>(time.size() - 1);
-    const auto width = std::max<std::size_t>(1, static_cast<std::size_t>(std::lround(stretch / interval)));
-    return running_means(values, width);
 }
 
 }  // namespace riffle::inline analysis

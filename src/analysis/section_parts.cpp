@@ -29,6 +29,11 @@ bool is_three_dimensional(const FlowRecord& record) {
            record.flow()->channel.dimensions == 3;
 }
 
+bool between_side_walls(const FlowRecord& record) {
+    return record.origin() == Origin::simulated && record.flow() != nullptr &&
+           record.flow()->has_side_walls();
+}
+
 std::optional<double> lattice_period_across(const Case& c) {
     if (c.bed.kind != BedKind::spheres) return std::nullopt;
     return lattice_periods(c.bed).y;
@@ -76,16 +81,8 @@ SectionProfile centreline_velocity_profile(const FlowRecord& record) {
                          [](const FieldSums& strip) { return strip.means(FieldQuantity::velocity); });
 }
 
-namespace {
-
-bool is_between_walls(const FlowRecord& record) {
-    return is_three_dimensional(record) && record.flow()->has_side_walls();
-}
-
-}  // namespace
-
 double velocity_at_centreline(const FlowRecord& record) {
-    if (is_between_walls(record)) {
+    if (between_side_walls(record)) {
         const std::vector<double> velocity = within_window(record, fields::time_series.centreline_velocity);
         if (!velocity.empty()) return mean_of(velocity);
     }
@@ -93,15 +90,21 @@ double velocity_at_centreline(const FlowRecord& record) {
 }
 
 const char* depth_mean_name(const FlowRecord& record) {
-    return is_between_walls(record) ? "depth-mean velocity U around the centreline" : "depth-mean velocity U";
+    return between_side_walls(record) ? "depth-mean velocity U around the centreline"
+                                      : "depth-mean velocity U";
 }
 
 double surface_velocity_at_centreline(const FlowRecord& record) {
-    if (!is_between_walls(record)) return surface_velocity(record);
+    if (!between_side_walls(record)) return surface_velocity(record);
     // As of profiles: 0 where the level varies along the channel.
     if (surface_velocity(record) == 0.0) return 0.0;
     const SectionProfile u = centreline_velocity_profile(record);
     return u.value.empty() ? 0.0 : u.value.back();
+}
+
+double velocity_of_patterns(const FlowRecord& record) {
+    const double of_surface = surface_velocity_at_centreline(record);
+    return of_surface > 0.0 ? of_surface : velocity_at_centreline(record);
 }
 
 double mean_above_datum(const Case& c, const std::vector<double>& z, const std::vector<double>& values) {

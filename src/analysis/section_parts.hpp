@@ -16,6 +16,10 @@ namespace riffle::inline analysis {
 /// Whether a record is a run in three dimensions.
 [[nodiscard]] bool is_three_dimensional(const FlowRecord& record);
 
+/// Whether the profiles of a run are means over a width with side walls: neither the column twin, of a wide
+/// channel, nor what was measured at the centreline is like them.
+[[nodiscard]] bool between_side_walls(const FlowRecord& record);
+
 /// Stretch across the channel, m.
 struct Strip {
     double from = 0;
@@ -64,6 +68,10 @@ struct SectionProfile {
 
 /// So of the water at the surface; without a mean field, between side walls, 0.
 [[nodiscard]] double surface_velocity_at_centreline(const FlowRecord& record);
+
+/// Velocity that the patterns of the surface travel with, m/s: that of the water at the surface, the depth
+/// mean where it is not known.
+[[nodiscard]] double velocity_of_patterns(const FlowRecord& record);
 
 /// Mean over the water above the datum and below the surface of a profile on these heights; not-a-number
 /// where it has no value there.

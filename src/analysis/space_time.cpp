@@ -25,36 +25,6 @@ double wet_mean(std::span<const double> values) {
     return wet == 0 ? not_a_number : sum / static_cast<double>(wet);
 }
 
-/// Take the mean, or the line through the values over `times`, from the wet values of a record.
-void remove_line(std::span<const double> times, std::vector<double>& record, bool trend) {
-    const double mean = wet_mean(record);
-    double mean_time = 0.0;
-    double wet = 0.0;
-    for (std::size_t j = 0; j < record.size(); ++j) {
-        if (std::isnan(record[j])) continue;
-        record[j] -= mean;
-        mean_time += times[j];
-        wet += 1.0;
-    }
-    if (!trend || wet < 3.0) return;
-    mean_time /= wet;
-    double moment = 0.0;
-    double spread = 0.0;
-    for (std::size_t j = 0; j < record.size(); ++j) {
-        if (std::isnan(record[j])) continue;
-        moment += (times[j] - mean_time) * record[j];
-        spread += (times[j] - mean_time) * (times[j] - mean_time);
-    }
-    const double slope = moment / spread;
-    for (std::size_t j = 0; j < record.size(); ++j) record[j] -= slope * (times[j] - mean_time);
-}
-
-/// The wet ones of the values.
-std::vector<double> wet_values(std::vector<double> values) {
-    std::erase_if(values, [](double v) { return std::isnan(v); });
-    return values;
-}
-
 /// Value at time t of the column, rows first and first + 1 around it.
 double interpolate(const SpaceTime& data, std::size_t column, std::size_t first, double t) {
     const std::size_t begin = first == 0 ? 0 : first - 1;
@@ -75,6 +45,35 @@ double interpolate(const SpaceTime& data, std::size_t column, std::size_t first,
 }
 
 }  // namespace
+
+void remove_line(std::span<const double> places, std::vector<double>& record, bool trend) {
+    const double mean = wet_mean(record);
+    double mean_place = 0.0;
+    double wet = 0.0;
+    for (std::size_t j = 0; j < record.size(); ++j) {
+        if (std::isnan(record[j])) continue;
+        record[j] -= mean;
+        mean_place += places[j];
+        wet += 1.0;
+    }
+    if (!trend || wet < 3.0) return;
+    mean_place /= wet;
+    double moment = 0.0;
+    double spread = 0.0;
+    for (std::size_t j = 0; j < record.size(); ++j) {
+        if (std::isnan(record[j])) continue;
+        moment += (places[j] - mean_place) * record[j];
+        spread += (places[j] - mean_place) * (places[j] - mean_place);
+    }
+    const double slope = moment / spread;
+    for (std::size_t j = 0; j < record.size(); ++j) record[j] -= slope * (places[j] - mean_place);
+}
+
+/// The wet ones of the values.
+std::vector<double> wet_values(std::vector<double> values) {
+    std::erase_if(values, [](double v) { return std::isnan(v); });
+    return values;
+}
 
 std::vector<double> SpaceTime::record(std::size_t column) const {
     std::vector<double> result(rows());

@@ -98,6 +98,10 @@ struct DeviationEstimate {
 /// over duration); this is not corrected for, so that the integral of the spectra is the same variance.
 [[nodiscard]] DeviationEstimate standard_deviation(const SpaceTime& fluctuation);
 
+/// Take the mean, or with `trend` the line through the values over their places or times, from the values of
+/// a record that are numbers.
+void remove_line(std::span<const double> places, std::vector<double>& record, bool trend);
+
 /// The interval between even times: the mean of the intervals, but for those where samples are missing, s.
 /// Needs two times (else InputError).
 [[nodiscard]] double sampling_interval(const SpaceTime& data);

@@ -131,6 +131,7 @@ SurfaceMakeup surface_makeup(const SurfacePlan& plan, const GravityCapillaryWave
     // Of each component, and of each wavenumber how many of its frequencies.
     std::vector<std::uint8_t> family_of(segment_times * points);
     std::vector<std::array<double, surface_families>> share_of(points);
+    std::vector<double> power_of(points);
     for (std::size_t at = 0; at < family_of.size(); ++at) {
         const double of_x = kx[at % plan.columns];
         // exp(i (k x + w t)) is a wave of frequency -w; of k_x < 0 it is the one of -k and w.
@@ -160,11 +161,14 @@ SurfaceMakeup surface_makeup(const SurfacePlan& plan, const GravityCapillaryWave
             const std::size_t family = family_of[at];
             const double power = std::norm(box[at]);
             result.variance[family] += power;
-            for (std::size_t each = 0; each < surface_families; ++each) {
-                result.variance_of_noise[each] += power * share_of[at % points][each];
-            }
+            power_of[at % points] += power;
             const auto of_band = static_cast<std::size_t>(std::lround(std::hypot(kx[i], ky[j]) / band));
             if (of_band >= 1 && of_band <= bands) result.density[family][of_band - 1] += power / band;
+        }
+    }
+    for (std::size_t point = 0; point < points; ++point) {
+        for (std::size_t family = 0; family < surface_families; ++family) {
+            result.variance_of_noise[family] += power_of[point] * share_of[point][family];
         }
     }
     // Parseval: the sum of |X|^2 is the number of values times the sum of the squares.

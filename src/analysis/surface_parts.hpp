@@ -30,6 +30,7 @@ struct SurfaceFluctuation {
 /// Whether a simulated surface is flat to a thousandth of the particle spacing, so that patterns of it are
 /// those of the rows of particles and of rounding.
 [[nodiscard]] bool is_flat(const FlowRecord& record, const SpaceTime& fluctuation);
+[[nodiscard]] bool is_flat(const FlowRecord& record, double standard_deviation);
 
 /// What the thesis' simulation of a flow condition, in as many dimensions, found of its surface.
 struct ThesisSurface {

@@ -192,8 +192,7 @@ void add_celerities(const FlowRecord& record, const SpaceTime& line, double peri
     }
     try {
         CrestOptions options;
-        const double of_surface = surface_velocity_at_centreline(record);
-        options.expected_celerity = of_surface > 0.0 ? of_surface : velocity_at_centreline(record);
+        options.expected_celerity = velocity_of_patterns(record);
         options.smoothing = 0.2 * period;
         options.blocks = blocks_of(line.rows());
         const CrestCelerity crests = track_crests(line, options);
@@ -225,8 +224,7 @@ namespace {
 /// Upwellings and downwellings from the vertical velocity of the surface (kinematic condition).
 void add_upwellings(const FlowRecord& record, const SpaceTime& line, Analysis& analysis) {
     if (record.flow() == nullptr) return;
-    const double of_surface = surface_velocity_at_centreline(record);
-    const double velocity = of_surface > 0.0 ? of_surface : velocity_at_centreline(record);
+    const double velocity = velocity_of_patterns(record);
     if (velocity <= 0.0) return;
     const Case& c = *record.flow();
     try {

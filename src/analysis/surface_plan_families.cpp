@@ -33,23 +33,17 @@ constexpr std::array<FamilyName, surface_families> family_names = {
      {SurfaceFamily::waves_across, "waves_across", "waves that travel straight across the channel"},
      {SurfaceFamily::other, "other", "none of these"}}};
 
-/// The line along the channel that fits the mean level, less its middle, at each place along it, m: between
-/// open ends the surface falls or rises, which is no pattern of it.
+/// The line along the channel that fits the mean level, at each place along it, m: between open ends the
+/// surface falls or rises, which is no pattern of it.
 std::vector<double> fall_of(const SurfaceMaps& maps) {
     const std::size_t columns = maps.x.size();
     std::vector<double> level(columns, 0.0);
     for (std::size_t i = 0; i < maps.elevation.size(); ++i) level[i % columns] += maps.elevation[i];
     const double samples = static_cast<double>(maps.elevation.size()) / static_cast<double>(columns);
     for (double& value : level) value /= samples;
-    const double middle = mean_of(maps.x);
-    const double mean = mean_of(level);
-    double moment = 0.0;
-    double spread = 0.0;
-    for (std::size_t i = 0; i < columns; ++i) {
-        moment += (maps.x[i] - middle) * (level[i] - mean);
-        spread += (maps.x[i] - middle) * (maps.x[i] - middle);
-    }
-    for (std::size_t i = 0; i < columns; ++i) level[i] = moment / spread * (maps.x[i] - middle);
+    std::vector<double> rest = level;
+    remove_line(maps.x, rest, true);
+    for (std::size_t i = 0; i < columns; ++i) level[i] -= rest[i];
     return level;
 }
 

@@ -14,6 +14,7 @@
 #include "analysis/figure_tools.hpp"
 #include "analysis/section_parts.hpp"
 #include "analysis/surface_parts.hpp"
+#include "analysis/vortices.hpp"
 #include "statistics/cross_correlation.hpp"
 #include "statistics/power_spectrum.hpp"
 
@@ -46,17 +47,6 @@ bool may_be_chance(const CrossCorrelation& correlation, const CorrelationExtreme
         boost::math::quantile(normal, 1.0 - 0.025 / lags) / boost::math::quantile(normal, 0.975);
     const auto at = static_cast<std::size_t>(std::lround((extreme.lag - correlation.lag.front()) / step));
     return extreme.correlation < factor * correlation.significance[std::min(at, correlation.lag.size() - 1)];
-}
-
-/// Whether a simulated surface is flat at a place, as is_flat().
-bool is_flat_at(const FlowRecord& record, const SurfaceStation& station) {
-    SpaceTime single;
-    single.columns = 1;
-    single.values = station.elevation;
-    for (std::size_t i = 0; i < station.elevation.size(); ++i) {
-        single.times.push_back(station.interval * static_cast<double>(i));
-    }
-    return is_flat(record, single);
 }
 
 /// The extreme that belongs to what the water carries from one place to the next: of the significant maxima
@@ -257,7 +247,7 @@ void add_station_correlations(const FlowRecord& record, const std::vector<Surfac
     attempt(record, analysis, std::move(figure), [&](Figure& f) {
         const SurfaceStation& first = stations.front();
         // Of a surface that is flat the patterns are those of rounding.
-        const bool flat = is_flat_at(record, first);
+        const bool flat = is_flat(record, root_mean_square(first.elevation));
         const double of_surface = surface_velocity_at_centreline(record);
         for (std::size_t i = 1; i < stations.size(); ++i) {
             const SurfaceStation& other = stations[i];

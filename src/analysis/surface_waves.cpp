@@ -109,8 +109,7 @@ GravityCapillaryWaves waves_on(const FlowRecord& record) {
     constexpr double water_surface_tension = 0.072;  // N/m, clean water; the particles have none
     waves.depth = c.channel.depth;
     // Short waves and patterns travel with the water at the surface.
-    const double of_surface = surface_velocity_at_centreline(record);
-    waves.velocity = of_surface > 0.0 ? of_surface : velocity_at_centreline(record);
+    waves.velocity = velocity_of_patterns(record);
     waves.gravity = c.normal_gravity();
     waves.surface_tension = record.origin() == Origin::measured ? water_surface_tension : 0.0;
     waves.density = c.fluid.density;
@@ -131,10 +130,14 @@ SurfaceFluctuation surface_fluctuation(const SpaceTime& surface) {
     return result;
 }
 
-bool is_flat(const FlowRecord& record, const SpaceTime& fluctuation) {
+bool is_flat(const FlowRecord& record, double standard_deviation) {
     constexpr double resolved = 1e-3;  // of the particle spacing
     return record.flow() != nullptr && record.origin() == Origin::simulated &&
-           standard_deviation(fluctuation).value < resolved * record.flow()->numerics.spacing;
+           standard_deviation < resolved * record.flow()->numerics.spacing;
+}
+
+bool is_flat(const FlowRecord& record, const SpaceTime& fluctuation) {
+    return is_flat(record, standard_deviation(fluctuation).value);
 }
 
 std::optional<ThesisSurface> thesis_surface(const Case& c) {

@@ -26,9 +26,14 @@ namespace riffle::inline base {
     return std::max(1e-9 * interval, 2e-12 * std::abs(due));
 }
 
+/// The earliest time that counts as the due one of something with this interval.
+[[nodiscard]] inline double earliest_of(double due, double interval) {
+    return due - due_tolerance(due, interval);
+}
+
 /// Whether a due time of something with this interval has come.
 [[nodiscard]] inline bool has_come(double time, double due, double interval) {
-    return time >= due - due_tolerance(due, interval);
+    return time >= earliest_of(due, interval);
 }
 
 /// The first multiple of the interval after a due time that has come, and after `time`.

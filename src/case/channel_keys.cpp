@@ -1,8 +1,8 @@
 #include "case/channel_keys.hpp"
-#include "case/closure_traits.hpp"
 
 #include <utility>
 
+#include "case/closure_traits.hpp"
 #include "case/units.hpp"
 
 namespace riffle::inline case_file {

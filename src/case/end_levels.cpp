@@ -57,9 +57,12 @@ bool has_end_tables(const Case& c) {
     return changes_at_ends(c) || (c.channel.ends == Ends::open && !c.outflow.rating_file.empty());
 }
 
+bool inflow_changes(const Case& c) {
+    return c.channel.ends == Ends::open && !(c.inflow.discharge_file.empty() && c.inflow.depth_file.empty());
+}
+
 bool changes_at_ends(const Case& c) {
-    return c.channel.ends == Ends::open &&
-           !(c.inflow.discharge_file.empty() && c.inflow.depth_file.empty() && c.outflow.depth_file.empty());
+    return inflow_changes(c) || (c.channel.ends == Ends::open && !c.outflow.depth_file.empty());
 }
 
 double level_with_room(const Case& c) {

@@ -28,6 +28,9 @@ struct LeastDepth {
 /// Whether files tell how discharge or depth at open ends change, or which depth goes with which discharge.
 [[nodiscard]] bool has_end_tables(const Case& c);
 
+/// Whether what enters an open channel follows a file in time, as a flood does.
+[[nodiscard]] bool inflow_changes(const Case& c);
+
 /// Whether discharge or depth at open ends change in time by a file.
 [[nodiscard]] bool changes_at_ends(const Case& c);
 

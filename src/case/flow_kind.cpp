@@ -1,11 +1,11 @@
 #include "case/flow_kind.hpp"
-#include "case/closure_traits.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
 
+#include "case/closure_traits.hpp"
 #include "case/cross_section.hpp"
 #include "case/porous_zone.hpp"
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 #include "boundary/boundary_planes.hpp"
@@ -35,11 +36,19 @@ class SolidCorners {
     /// What stands just before a particle of a wall.
     enum class Before { water, solid, other_solid };
 
-    /// Pairs of the water with particles of walls that stand behind the same planes.
+    /// Where particles of walls stand.
+    struct Kind {
+        /// The planes that they stand behind, as bits; none where they matter to no particle of the water.
+        std::uint8_t planes = 0;
+        Before before = Before::water;
+
+        bool operator==(const Kind&) const = default;
+    };
+
+    /// Pairs of the water with the particles of walls of one kind.
     struct Part {
         NeighbourList list;
-        std::uint8_t planes = 0;  ///< as bits
-        Before before = Before::water;
+        Kind kind;
     };
 
     explicit SolidCorners(const Case& c) : planes_(boundary_planes<D>(c)) {}
@@ -51,33 +60,28 @@ class SolidCorners {
               const WithSolid& with_solid) {
         find_water_over_foot(flow, surfaces, solid, with_solid);
         const NeighbourList& all = flow.fluid_wall;
-        std::vector<int> kinds(flow.wall_clusters.slots(), unknown);
-        std::vector<int> found;
+        std::vector<std::optional<Kind>> kinds(flow.wall_clusters.slots());
+        parts_.clear();
         const auto for_walls = [&](const auto& f) {
             for (std::size_t cluster = 0; cluster < all.size(); ++cluster) {
                 if (with_solid(cluster)) for_listed_slots(all, cluster, f);
             }
         };
         for_walls([&](std::size_t, std::size_t slot) {
-            int& kind = kinds[slot];
-            if (kind != unknown) return;
-            kind = kind_of(flow, surfaces, solid, slot);
-            if (kind != none && std::find(found.begin(), found.end(), kind) == found.end()) {
-                found.push_back(kind);
-            }
+            if (kinds[slot]) return;
+            const Kind kind = kind_of(flow, surfaces, solid, slot);
+            kinds[slot] = kind;
+            const bool known = std::any_of(parts_.begin(), parts_.end(),
+                                           [&](const Part& part) { return part.kind == kind; });
+            if (kind.planes != 0 && !known) parts_.push_back({all, kind});
         });
-        parts_.clear();
-        for (const int kind : found) {
-            Part part{.list = all,
-                      .planes = static_cast<std::uint8_t>(kind / 3),
-                      .before = static_cast<Before>(kind % 3)};
+        for (Part& part : parts_) {
             std::fill(part.list.masks.begin(), part.list.masks.end(), std::uint8_t{0});
             for_walls([&](std::size_t mask, std::size_t slot) {
-                if (kinds[slot] != kind) return;
+                if (kinds[slot] != part.kind) return;
                 part.list.masks[mask] = static_cast<std::uint8_t>(
                     part.list.masks[mask] | (all.masks[mask] & 1U << slot % cluster_size));
             });
-            parts_.push_back(std::move(part));
         }
     }
 
@@ -85,12 +89,13 @@ class SolidCorners {
 
     /// What a part does to the particle in a slot that belongs to the solid.
     [[nodiscard]] Share share(const Part& part, std::size_t slot) const {
-        const unsigned through = part.planes & over_[slot];
-        const double beside = part.before == Before::water && through != 0 ? from_beside : 0.0;
-        const double along = part.before == Before::solid ? 1.0 : beside;
-        Share share{.along = {along, along, along}, .rubs = through == part.planes};
+        const auto [planes, before] = part.kind;
+        const unsigned through = planes & over_[slot];
+        const double beside = before == Before::water && through != 0 ? from_beside : 0.0;
+        const double along = before == Before::solid ? 1.0 : beside;
+        Share share{.along = {along, along, along}, .rubs = through == planes};
         for (std::size_t plane = 0; plane < planes_.size(); ++plane) {
-            if ((part.planes & 1U << plane) == 0) continue;
+            if ((planes & 1U << plane) == 0) continue;
             share.along[axis_of(plane)] = (through & 1U << plane) != 0 ? 1.0 : 0.0;
         }
         return share;
@@ -103,8 +108,6 @@ class SolidCorners {
     }
 
   private:
-    static constexpr int unknown = -2;
-    static constexpr int none = -1;
     static constexpr std::array<double, 2> shares = {0.01, 0.25};
     static constexpr double from_beside = 0.5;
 
@@ -113,21 +116,16 @@ class SolidCorners {
         return D == 2 && planes_[plane].axis == 1 ? 2 : planes_[plane].axis;
     }
 
-    /// A place moved before a plane, by a share of the spacing.
-    [[nodiscard]] Vec<D> moved_before(const Flow& flow, const BoundaryPlane& plane, Vec<D> place,
-                                      double share) const {
-        place[plane.axis] = plane.place + plane.inward * share * flow.c.numerics.spacing;
-        return place;
-    }
-
     /// Whether the solid stands on planes at a place: just before them, where a thin toe is, or a quarter of
     /// a spacing before them, where one is that the planes do not quite touch.
     [[nodiscard]] bool stands_on(const Flow& flow, const SolidSurfaces& surfaces, std::size_t solid,
                                  unsigned planes, const Vec<D>& place) const {
         return std::any_of(shares.begin(), shares.end(), [&](double share) {
             Vec<D> before = place;
-            for (std::size_t plane = 0; plane < planes_.size(); ++plane) {
-                if ((planes & 1U << plane) != 0) before = moved_before(flow, planes_[plane], before, share);
+            for (std::size_t k = 0; k < planes_.size(); ++k) {
+                const BoundaryPlane& plane = planes_[k];
+                if ((planes & 1U << k) == 0) continue;
+                before[plane.axis] = plane.place + plane.inward * share * flow.c.numerics.spacing;
             }
             return surfaces.contains(solid, in_space_of<D>(before));
         });
@@ -157,33 +155,27 @@ class SolidCorners {
         }
     }
 
-    /// Three times the planes that a particle of a wall stands behind, as bits, and what stands just before
-    /// them; `none` where it matters to no particle of the water.
-    [[nodiscard]] int kind_of(const Flow& flow, const SolidSurfaces& surfaces, std::size_t solid,
-                              std::size_t slot) const {
-        if (flow.wall_clusters.particle_of(slot) < 0) return none;
+    [[nodiscard]] Kind kind_of(const Flow& flow, const SolidSurfaces& surfaces, std::size_t solid,
+                               std::size_t slot) const {
+        if (flow.wall_clusters.particle_of(slot) < 0) return {};
         const auto particle = static_cast<std::size_t>(flow.wall_clusters.particle_of(slot));
-        if (!flow.walls.body.empty() && flow.walls.body[particle] != resting_body) return none;
+        if (!flow.walls.body.empty() && flow.walls.body[particle] != resting_body) return {};
         const Vec<D> place = vector_of(flow.walls.position, particle);
-        unsigned behind = 0;
+        std::uint8_t behind = 0;
         for (std::size_t plane = 0; plane < planes_.size(); ++plane) {
-            if (planes_[plane].template distance<D>(place) <= 0.0) behind |= 1U << plane;
+            if (planes_[plane].template distance<D>(place) > 0.0) continue;
+            behind = static_cast<std::uint8_t>(behind | 1U << plane);
         }
-        if (behind == 0) return none;
-        Before before = Before::water;
-        if (stands_on(flow, surfaces, solid, behind, place)) {
-            before = Before::solid;
-        } else if ((behind & present_) == 0) {
-            return none;
-        } else {
-            // Where two solids meet toe to toe what is behind the other's foot pushes along the wall for that
-            // one.
-            for (std::size_t other = 0; other < flow.c.solids.size(); ++other) {
-                if (other == solid || !flow.c.solids[other].rests()) continue;
-                if (stands_on(flow, surfaces, other, behind, place)) before = Before::other_solid;
-            }
+        if (behind == 0) return {};
+        if (stands_on(flow, surfaces, solid, behind, place)) return {behind, Before::solid};
+        if ((behind & present_) == 0) return {};
+        // Where two solids meet toe to toe what is behind the other's foot pushes along the wall for that
+        // one.
+        for (std::size_t other = 0; other < flow.c.solids.size(); ++other) {
+            if (other == solid || !flow.c.solids[other].rests()) continue;
+            if (stands_on(flow, surfaces, other, behind, place)) return {behind, Before::other_solid};
         }
-        return static_cast<int>(3 * behind) + static_cast<int>(before);
+        return {behind, Before::water};
     }
 
     std::vector<BoundaryPlane> planes_;

@@ -111,7 +111,7 @@ bool ProbeSet::due_for_fields_in_fluid(double time) const {
 double ProbeSet::forces_due() const {
     double due = std::numeric_limits<double>::infinity();
     for (const Member& m : members_) {
-        if (m.instrument->needs_fields()) due = std::min(due, m.due - due_tolerance(m.due, m.interval()));
+        if (m.instrument->needs_fields()) due = std::min(due, earliest_of(m.due, m.interval()));
     }
     return due;
 }

@@ -62,7 +62,7 @@ class VelocityGrid final : public Instrument {
         samples_ += 1.0;
         if (has_come(state.time, window_end_, probe().averaging_time)) {
             finish_window();
-            window_end_ = window_after(std::max(state.time, window_end_));
+            window_end_ = due_next(state.time, window_end_, probe().averaging_time);
         }
     }
     [[nodiscard]] bool needs_fields() const override { return true; }

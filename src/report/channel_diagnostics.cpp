@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "case/end_levels.hpp"
 #include "case/flow_kind.hpp"
 #include "case/porous_zone.hpp"
 #include "record/flow_fields.hpp"
@@ -342,8 +343,7 @@ class ChannelRows : public DiagnosticRows {
         const Case& c = data_.flow;
         const bool moves = std::any_of(c.solids.begin(), c.solids.end(),
                                        [](const Solid& solid) { return !solid.rests() && !solid.is_free(); });
-        return moves || (open_ && !(c.inflow.discharge_file.empty() && c.inflow.depth_file.empty() &&
-                                    c.outflow.depth_file.empty()));
+        return moves || changes_at_ends(c);
     }
 
     /// A drift counts as bad only where it stands out of its own uncertainty.

@@ -171,14 +171,13 @@ void judge_flood(const std::vector<SummaryRow>& quantities, Verdict& verdict) {
         if (row.key.rfind("flood_discharge_", 0) == 0 && row.simulated) crests.push_back(&row);
     }
     if (crests.empty()) return;
+    if (crests.size() > 2) crests.erase(crests.begin() + 1, crests.end() - 1);
     std::string text = "A flood passes:";
     const char* joint = " ";
-    const std::size_t last = crests.size() - 1;
-    for (const std::size_t n : last > 0 ? std::vector<std::size_t>{0, last} : std::vector<std::size_t>{0}) {
-        const SummaryRow& row = *crests[n];
-        std::string name = row.label;
+    for (const SummaryRow* const row : crests) {
+        std::string name = row->label;
         name.front() = 'l';
-        text += fmt::format("{}{} {:.4g} {}", joint, name, row.factor * row.simulated->value, row.unit);
+        text += fmt::format("{}{} {:.4g} {}", joint, name, row->factor * row->simulated->value, row->unit);
         joint = ", ";
     }
     if (const auto level =

@@ -145,7 +145,7 @@ void MeanField::sample(const SimulationIn<3>& simulation) {
         ends_.push_back(window_end_);
         closed_ = true;
         closed_taken_ = false;
-        window_end_ = window_after(std::max(simulation.clock().time, window_end_));
+        window_end_ = due_next(simulation.clock().time, window_end_, interval_);
     }
 }
 

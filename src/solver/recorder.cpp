@@ -109,7 +109,7 @@ Recorder::Recorder(const Case& c, const Twins& twins)
 
 double Recorder::fields_due() const {
     const auto next = [](double interval, double due) {
-        return interval > 0.0 ? due - due_tolerance(due, interval) : std::numeric_limits<double>::infinity();
+        return interval > 0.0 ? earliest_of(due, interval) : std::numeric_limits<double>::infinity();
     };
     const Output& output = case_.output;
     return std::min({next(output.series_interval, due_.series), next(output.profile_interval, due_.profile),

@@ -240,8 +240,8 @@ bool RunSession<D>::finished() const {
 template <int D>
 double RunSession<D>::fields_due() const {
     // The end comes with the time of the case, or with a test of convergence.
-    return std::min({recorder_->fields_due(), next_test_ - due_tolerance(next_test_, test_interval),
-                     case_.run.time * (1.0 - 1e-12)});
+    return std::min(
+        {recorder_->fields_due(), earliest_of(next_test_, test_interval), case_.run.time * (1.0 - 1e-12)});
 }
 
 template <int D>

@@ -14,6 +14,7 @@
 #include "analysis/momentum_budget.hpp"
 #include "record/flow_fields.hpp"
 #include "record/probe_fields.hpp"
+#include "simulated_record.hpp"
 
 namespace riffle::body_forces_test {
 namespace {
@@ -41,9 +42,9 @@ Case duct() {
     return c;
 }
 
-class Record : public FlowRecord {
+class Record : public test::SimulatedRecord {
   public:
-    explicit Record(const Case& c) : case_(c) {
+    explicit Record(const Case& c) : SimulatedRecord({0.0, 10.0}, c) {
         std::vector<double> time;
         for (int i = 0; i < 1000; ++i) time.push_back(interval * i);
         series_.set(fields::time_series.time, time);
@@ -77,16 +78,10 @@ class Record : public FlowRecord {
         }
         probes_.push_back(std::move(probe));
     }
-    [[nodiscard]] Origin origin() const override { return Origin::simulated; }
-    [[nodiscard]] std::string name() const override { return "duct"; }
-    [[nodiscard]] std::string source() const override { return "duct"; }
-    [[nodiscard]] const Case* flow() const override { return &case_; }
-    [[nodiscard]] TimeWindow window() const override { return {0.0, 10.0}; }
     [[nodiscard]] const SeriesTable& series() const override { return series_; }
     [[nodiscard]] const std::vector<ScalarProbe>& scalar_probes() const override { return probes_; }
 
   private:
-    Case case_;
     SeriesTable series_;
     std::vector<ScalarProbe> probes_;
 };

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "analysis/figure_tools.hpp"
+#include "simulated_record.hpp"
 
 namespace riffle::flood_passage_test {
 namespace {
@@ -16,13 +17,13 @@ namespace {
 using ::testing::HasSubstr;
 
 /// A crest that goes down a channel with 1 m/s and loses 0.005 m2/s a metre, under ripples of a wave.
-class Flood : public FlowRecord {
+class Flood : public test::SimulatedRecord {
   public:
-    explicit Flood(const std::vector<double>& places) {
-        flow_.channel.ends = Ends::open;
-        flow_.channel.depth = 0.1;
-        flow_.channel.slope = 0.002;
-        flow_.inflow.discharge_file = "hydrograph.csv";
+    explicit Flood(const std::vector<double>& places) : SimulatedRecord({0.0, 20.0}, Case{}) {
+        flow_->channel.ends = Ends::open;
+        flow_->channel.depth = 0.1;
+        flow_->channel.slope = 0.002;
+        flow_->inflow.discharge_file = "hydrograph.csv";
         for (std::size_t n = 0; n < places.size(); ++n) {
             ScalarProbe discharge;
             discharge.name = n == 0 ? "standard_end_sections" : "gauges";
@@ -45,15 +46,9 @@ class Flood : public FlowRecord {
             probes_.push_back(std::move(depth));
         }
     }
-    [[nodiscard]] Origin origin() const override { return Origin::simulated; }
-    [[nodiscard]] std::string name() const override { return "flood"; }
-    [[nodiscard]] std::string source() const override { return "flood"; }
-    [[nodiscard]] const Case* flow() const override { return &flow_; }
-    [[nodiscard]] TimeWindow window() const override { return {0.0, 20.0}; }
     [[nodiscard]] const std::vector<ScalarProbe>& scalar_probes() const override { return probes_; }
     [[nodiscard]] const SpaceTime& surface() const override { return surface_; }
 
-    Case flow_;
     std::vector<ScalarProbe> probes_;
     SpaceTime surface_;
 };
@@ -88,8 +83,8 @@ TEST(FloodPassage, TellsHowLateAndHowMuchLowerTheCrestIs) {
 
 TEST(FloodPassage, SaysNothingOfSteadyFlow) {
     Flood record({0.0, 2.0});
-    record.flow_.inflow.discharge_file.clear();
-    record.flow_.inflow.unit_discharge = 0.03;
+    record.flow_->inflow.discharge_file.clear();
+    record.flow_->inflow.unit_discharge = 0.03;
     Analysis analysis;
     add_flood_passage(record, analysis);
     EXPECT_TRUE(analysis.findings.empty());

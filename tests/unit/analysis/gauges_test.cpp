@@ -7,14 +7,17 @@
 #include <string>
 #include <vector>
 
+#include "simulated_record.hpp"
+
 namespace riffle::gauges_test {
 namespace {
 
 using ::testing::HasSubstr;
 
 /// A record with gauges.
-class Gauges : public FlowRecord {
+class Gauges : public test::SimulatedRecord {
   public:
+    Gauges() : SimulatedRecord({0.0, 1.0}) {}
     void add(const std::string& label, std::vector<double> pressure, double interval = 1e-3) {
         ScalarProbe probe;
         probe.name = "gauge";
@@ -28,17 +31,11 @@ class Gauges : public FlowRecord {
         probe.value = std::move(pressure);
         probes_.push_back(std::move(probe));
     }
-    [[nodiscard]] Origin origin() const override { return Origin::simulated; }
-    [[nodiscard]] std::string name() const override { return "gauges"; }
-    [[nodiscard]] std::string source() const override { return "gauges"; }
-    [[nodiscard]] const Case* flow() const override { return flow_ ? &*flow_ : nullptr; }
-    [[nodiscard]] TimeWindow window() const override { return {0.0, 1.0}; }
     [[nodiscard]] const std::vector<ScalarProbe>& scalar_probes() const override { return probes_; }
 
     void flow_in(const Case& c) { flow_ = c; }
 
   private:
-    std::optional<Case> flow_;
     std::vector<ScalarProbe> probes_;
 };
 

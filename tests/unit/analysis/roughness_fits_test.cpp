@@ -8,40 +8,35 @@
 
 #include "analysis/chapters.hpp"
 #include "analysis/figure_tools.hpp"
+#include "simulated_record.hpp"
 
 namespace riffle::roughness_fits_test {
 namespace {
 
 /// A log profile over a plane bed.
-class OverPlaneBed : public FlowRecord {
+class OverPlaneBed : public test::SimulatedRecord {
   public:
-    explicit OverPlaneBed(BedKind kind) {
-        flow_.channel.depth = 0.08;
-        flow_.channel.length = 0.2;
-        flow_.channel.slope = 0.003;
-        flow_.bed.kind = kind;
-        flow_.bed.datum_below_crest = 0.0;
-        flow_.numerics.spacing = 0.004;
-        flow_.measured.depth_mean_velocity = 0.5;
-        if (kind == BedKind::roughness) flow_.bed.equivalent_roughness = roughness;
+    explicit OverPlaneBed(BedKind kind) : SimulatedRecord({0.0, 1.0}, Case{}) {
+        flow_->channel.depth = 0.08;
+        flow_->channel.length = 0.2;
+        flow_->channel.slope = 0.003;
+        flow_->bed.kind = kind;
+        flow_->bed.datum_below_crest = 0.0;
+        flow_->numerics.spacing = 0.004;
+        flow_->measured.depth_mean_velocity = 0.5;
+        if (kind == BedKind::roughness) flow_->bed.equivalent_roughness = roughness;
         for (int i = 0; i < 20; ++i) {
             profiles_.z.push_back(0.004 * (i + 0.5));
             profiles_.velocity.push_back(friction_velocity *
                                          (std::log(profiles_.z.back() / roughness) / 0.41 + 8.5));
         }
     }
-    [[nodiscard]] Origin origin() const override { return Origin::simulated; }
-    [[nodiscard]] std::string name() const override { return "plane bed"; }
-    [[nodiscard]] std::string source() const override { return "plane bed"; }
-    [[nodiscard]] const Case* flow() const override { return &flow_; }
-    [[nodiscard]] TimeWindow window() const override { return {0.0, 1.0}; }
     [[nodiscard]] const Profiles& profiles() const override { return profiles_; }
 
     static constexpr double roughness = 0.012;
     static constexpr double friction_velocity = 0.048;
 
   private:
-    Case flow_;
     Profiles profiles_;
 };
 

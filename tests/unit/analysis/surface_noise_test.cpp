@@ -10,19 +10,20 @@
 #include "analysis/chapters.hpp"
 #include "analysis/figure_tools.hpp"
 #include "analysis/surface_parts.hpp"
+#include "simulated_record.hpp"
 
 namespace riffle::surface_noise_test {
 namespace {
 
 /// White noise along a periodic line, and at the default places of wave probes.
-class Noise : public FlowRecord {
+class Noise : public test::SimulatedRecord {
   public:
-    Noise() {
-        flow_.channel.depth = 0.05;
-        flow_.channel.length = 0.16;
-        flow_.channel.slope = 0.004;
-        flow_.numerics.spacing = 0.002;
-        flow_.measured.depth_mean_velocity = 0.45;
+    Noise() : SimulatedRecord({0.0, 6.0}, Case{}) {
+        flow_->channel.depth = 0.05;
+        flow_->channel.length = 0.16;
+        flow_->channel.slope = 0.004;
+        flow_->numerics.spacing = 0.002;
+        flow_->measured.depth_mean_velocity = 0.45;
         std::mt19937_64 generator(5);
         std::normal_distribution<double> normal;
         surface_.spacing = 0.002;
@@ -42,16 +43,10 @@ class Noise : public FlowRecord {
             probes_.push_back(std::move(probe));
         }
     }
-    [[nodiscard]] Origin origin() const override { return Origin::simulated; }
-    [[nodiscard]] std::string name() const override { return "noise"; }
-    [[nodiscard]] std::string source() const override { return "noise"; }
-    [[nodiscard]] const Case* flow() const override { return &flow_; }
-    [[nodiscard]] TimeWindow window() const override { return {0.0, 6.0}; }
     [[nodiscard]] const SpaceTime& surface() const override { return surface_; }
     [[nodiscard]] const std::vector<ElevationProbe>& elevation_probes() const override { return probes_; }
 
   private:
-    Case flow_;
     SpaceTime surface_;
     std::vector<ElevationProbe> probes_;
 };
