@@ -166,7 +166,7 @@ def resolved_bed(study):
 
 def resolved_depths(study):
     check = Check("resolved_depths", "Resolved eddies in shallow and in deep water",
-                  "As the cells of conditions 2 and 5 over the drag of the spheres: conditions 1, 16 spacings deep, and 8, 20 spacings deep.")
+                  "As the cells of conditions 2 and 5 over the drag of the spheres: conditions 1 and 8, 20 spacings deep.")
     folder = "cases/rough-bed-3d/"
     beds = [Bed(study, f"resolved_bed-condition_{measured.number}", f"condition {measured.number}, drag",
                 f"{folder}resolved-condition-{measured.number}.toml", {}, window, 6e-3, 10e-3, measured)
