@@ -25,6 +25,12 @@ double wet_mean(std::span<const double> values) {
     return wet == 0 ? not_a_number : sum / static_cast<double>(wet);
 }
 
+/// The wet ones of the values.
+std::vector<double> wet_values(std::vector<double> values) {
+    std::erase_if(values, [](double v) { return std::isnan(v); });
+    return values;
+}
+
 /// Value at time t of the column, rows first and first + 1 around it.
 double interpolate(const SpaceTime& data, std::size_t column, std::size_t first, double t) {
     const std::size_t begin = first == 0 ? 0 : first - 1;
@@ -67,12 +73,6 @@ void remove_line(std::span<const double> places, std::vector<double>& record, bo
     }
     const double slope = moment / spread;
     for (std::size_t j = 0; j < record.size(); ++j) record[j] -= slope * (places[j] - mean_place);
-}
-
-/// The wet ones of the values.
-std::vector<double> wet_values(std::vector<double> values) {
-    std::erase_if(values, [](double v) { return std::isnan(v); });
-    return values;
 }
 
 std::vector<double> SpaceTime::record(std::size_t column) const {

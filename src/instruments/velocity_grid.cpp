@@ -33,7 +33,7 @@ class VelocityGrid final : public Instrument {
           sums_(x_.size() * z_.size()),
           space_(c.channel.dimensions == 3) {
         const std::vector<std::size_t> shape = {z_.size(), x_.size()};
-        window_end_ = window_after(probe.start);
+        window_end_ = due_after(probe.start, probe.averaging_time);
         const auto& of = fields::velocity_grid;
         add_axis(of.x, x_);
         add_axis(of.y, {y_});
@@ -116,8 +116,6 @@ class VelocityGrid final : public Instrument {
     }
 
     /// Windows end at multiples of their length.
-    [[nodiscard]] double window_after(double time) const { return due_after(time, probe().averaging_time); }
-
     void finish_window() {
         record(0).add(window_end_);
         record(1).add(samples_);

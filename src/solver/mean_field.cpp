@@ -75,11 +75,9 @@ MeanField::MeanField(const Case& c) {
     count_[2] = static_cast<std::size_t>(lattice.rows);
     edge_[2] = lattice.dz;
     sums_ = CellSums(count_);
-    window_end_ = window_after(0.0);
+    window_end_ = due_after(0.0, interval_);
     new_fields_.resize(cell_fields().size());
 }
-
-double MeanField::window_after(double time) const { return due_after(time, interval_); }
 
 std::vector<double> MeanField::centres(std::size_t axis) const {
     std::vector<double> centres(count_[axis]);

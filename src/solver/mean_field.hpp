@@ -67,7 +67,6 @@ class MeanField {
     /// Values of a field in the closed window, from the place numbered `first` on in the order of the file.
     void fill(std::size_t field, std::size_t first, std::span<float> values) const;
     [[nodiscard]] CellPlace cell_of(const Particles<3>& particles, std::size_t particle) const;
-    [[nodiscard]] double window_after(double time) const;
 
     double interval_ = 0.0;
     bool open_ends_ = false;        ///< water beyond them counts in no cell
