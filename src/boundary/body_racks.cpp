@@ -4,8 +4,8 @@
 
 #include <algorithm>
 
+#include "case/end_buffers.hpp"
 #include "case/outline.hpp"
-#include "case/refusals.hpp"
 #include "case/solid_mesh.hpp"
 #include "case/units.hpp"
 
@@ -17,7 +17,7 @@ std::vector<BoundaryPlane> body_racks(const Case& c) {
     if (c.channel.ends != Ends::open || !any) {
         return {};
     }
-    const double clear = open_end_clearance(c);
+    const double clear = watched_stretch(c);
     return {{0, clear, 1.0}, {0, c.channel.length - clear, -1.0}};
 }
 

@@ -1,5 +1,9 @@
 #pragma once
 
+#include <algorithm>
+#include <cmath>
+
+#include "case/end_levels.hpp"
 #include "case/flow_kind.hpp"
 
 namespace riffle::inline case_file {
@@ -15,6 +19,25 @@ namespace riffle::inline case_file {
 /// particles' own sums need.
 [[nodiscard]] inline double end_support(const Case& c) {
     return 4.0 * c.numerics.smoothing_ratio * c.numerics.spacing;
+}
+
+/// Least share of the depth over which the water beside an end is watched. The section takes over what the
+/// water there presses; where it is watched so near that it can do nothing but follow the section, nothing
+/// holds the two (docs/theory.md 20).
+inline constexpr double least_watched_share = 0.25;
+
+/// Whole spacings in half of the stretch beside each open end over which the water is watched: of two kernel
+/// supports and, under a free surface, of a share of the deepest water that the keys name.
+[[nodiscard]] inline double watched_spacings(const Case& c) {
+    const double deepest = is_duct(c) ? 0.0 : std::max(c.total_depth(), highest_end_level(c));
+    return std::ceil(
+        std::max(2.0 * c.numerics.smoothing_ratio, 0.5 * least_watched_share * deepest / c.numerics.spacing) -
+        1e-9);
+}
+
+/// That stretch, which solids must leave free, m.
+[[nodiscard]] inline double watched_stretch(const Case& c) {
+    return 2.0 * watched_spacings(c) * c.numerics.spacing;
 }
 
 /// Longest that a buffer becomes, m; 0 where the ends are not open.

@@ -25,7 +25,7 @@ Findings too_near(const Case& c, const Solid& solid) {
     if (!extent || solid.is_free() || is_bed_in_space(c, solid)) {
         return {};
     }
-    const double clear = open_end_clearance(c);
+    const double clear = watched_stretch(c);
     const double beyond = walls_beyond_end(c);
     const double length = c.channel.length;
     const bool carries = !in_space(c) && solid.rests();
@@ -49,7 +49,7 @@ Findings beyond_racks(const Case& c, const Solid& solid) {
     if (!extent || !solid.is_free()) {
         return {};
     }
-    const double clear = open_end_clearance(c);
+    const double clear = watched_stretch(c);
     const double length = c.channel.length;
     return found_if(extent->low < clear || extent->high > length - clear,
                     "it reaches from x = {} to {}, and the racks stand at {} and {}",
@@ -203,12 +203,12 @@ CheckList open_end_refusals() {
                       [](const Case& c) { return is_lost(c, c.outflow.rating_file); }),
             {{"channel.length", "numerics.spacing"},
              "`length` too short for open ends",
-             "the water is watched over two kernel supports beside either end",
+             "beside either end the water is watched over two kernel supports or a quarter of the depth, whichever is longer",
              "make the channel longer or the spacing smaller",
              [](const Case& c) {
-                 return found_if(c.channel.length < 4.0 * kernel_support(c),
+                 return found_if(c.channel.length < 2.0 * watched_stretch(c),
                                  "length is {}: open ends need at least {}", shown_length(c.channel.length),
-                                 shown_length(4.0 * kernel_support(c)));
+                                 shown_length(2.0 * watched_stretch(c)));
              }},
             {{"channel.top"},
              "`top = \"periodic\"` with open ends",
@@ -303,19 +303,19 @@ CheckList open_end_refusals() {
              floating_ends},
             {{"solid.motion", "solid.centre", "solid.x"},
              "a free body that starts before the rack of the inflow or behind that of the outflow",
-             "free bodies are held back two kernel supports before either end",
+             "free bodies are held back before either end by the stretch over which the water is watched there: two kernel supports or a quarter of the depth, whichever is longer",
              "move it, or make the channel longer",
              [](const Case& c, const Solid& solid) { return beyond_racks(c, solid); }},
             {{"channel.ends", "solid.shape"},
              "a cross-section or a bed of heights in three dimensions",
              "water enters and leaves over the bed of the channel there, of one depth across its width",
-             "let the ends be periodic or walls, compute it in two dimensions, or build the banks of [[solid]] that end four smoothing lengths before the ends",
+             "let the ends be periodic or walls, compute it in two dimensions, or build the banks of [[solid]] that end before the stretches where the water is watched: four smoothing lengths or a quarter of the depth, whichever is longer, from the ends",
              [](const Case& c, const Solid& solid) {
                  return found_if(is_bed_in_space(c, solid), "\"{}\" is a bed of its own shape", solid.name);
              }},
             {{"solid.x", "channel.ends"},
              "a solid in the water that enters or leaves",
-             "the water is watched over two kernel supports beside either end",
+             "beside either end the water is watched over two kernel supports or a quarter of the depth, whichever is longer",
              "move the solid, make the channel longer, or let the solid carry the water through the end",
              [](const Case& c, const Solid& solid) { return too_near(c, solid); }},
         },

@@ -4,6 +4,7 @@
 #include <functional>
 #include <utility>
 
+#include "case/end_buffers.hpp"
 #include "case/flow_kind.hpp"
 #include "case/outline_check.hpp"
 #include "case/patch_range.hpp"
@@ -185,7 +186,7 @@ Findings at_open_end(const Case& c, const Porous& zone) {
     if (c.channel.ends != Ends::open) {
         return {};
     }
-    const double clear = open_end_clearance(c) + porous_edge(c, zone);
+    const double clear = watched_stretch(c) + porous_edge(c, zone);
     const PatchRange along = extents_of(c, zone)[0];
     return found_if(along.from < clear * (1 - small) || along.to > c.channel.length - clear * (1 - small),
                     "reaches from x = {} to {}: expected from {} to {} at most", shown_length(along.from),

@@ -100,9 +100,6 @@ inline bool is_lost(const Case& c, const std::filesystem::path& file) {
         "results.h5, not its folder) or remove the key");
 }
 
-/// Stretch beside each open end over which the water is watched, and which solids must leave free, m.
-inline double open_end_clearance(const Case& c) { return 2.0 * kernel_support(c); }
-
 /// Thickness of the layers of wall particles, m.
 inline double wall_thickness(const Case& c) { return c.numerics.wall_layers * c.numerics.spacing; }
 

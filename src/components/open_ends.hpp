@@ -38,7 +38,7 @@ class OpenEnds final : public Component<D, Real> {
           leaving_(lattice_.dz),
           travel_(end_travel(flow.c)),
           support_(end_support(flow.c)),
-          watch_(length_, std::ceil(2.0 * flow.c.numerics.smoothing_ratio - 1e-9) * lattice_.dx),
+          watch_(length_, watched_spacings(flow.c) * lattice_.dx),
           sound_(flow, lattice_, watch_.half(), support_ + travel_ + 2.0 * lattice_.dx),
           streams_(lattice_.files, lattice_.dx * lattice_.dz, lattice_.dz, -(support_ + travel_)) {
         for (int file = 0; file < lattice_.files; ++file) files_.push_back(lattice_.y(file, 0));

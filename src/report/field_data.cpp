@@ -7,6 +7,7 @@
 
 #include "analysis/bodies.hpp"
 #include "analysis/run_snapshots.hpp"
+#include "case/end_buffers.hpp"
 #include "case/flow_kind.hpp"
 #include "case/patch_range.hpp"
 #include "case/porous_zone.hpp"
@@ -214,7 +215,7 @@ std::vector<FieldZone> field_zones(const Case& c, double y, double top) {
     return zones;
 }
 
-double falling_height(const Case& c) { return bed_ends(c) ? open_end_clearance(c) : 0.0; }
+double falling_height(const Case& c) { return bed_ends(c) ? end_support(c) : 0.0; }
 
 std::optional<FieldPicture> read_field(const RunResults& results, const Case& c, FieldFrames frames) {
     if (frames == FieldFrames::none) return std::nullopt;

@@ -188,22 +188,40 @@ TEST(OpenEnds, SupercriticalFlowPasses) {
     EXPECT_NEAR(run.ends().downstream.velocity, q / h, 0.02 * q / h);  // the slope adds 1 %
 }
 
-// The depth at the outflow rises by a tenth in a second: the water must come back from there, and the buffer
-// stay full.
 /// Mean from one time to another of the depth within `half` of a place along the channel, m, sampled each
-/// 0.02 s.
-double mean_depth(OpenRun<2>& run, double place, double half, double from, double to) {
-    double area = 0.0;
-    double samples = 0.0;
-    for (double time = from; time < to; time += 0.02) {
-        run.advance_to(time);
-        const auto& p = run.simulation->particles();
-        for (std::size_t i = 0; i < p.size(); ++i) {
-            area += std::abs(p.position[0][i] - place) < half ? p.mass[i] / 1000.0 : 0.0;
+/// 0.02 s, and the discharge that enters in these moments, m2/s.
+struct Watched {
+    double depth = 0.0;
+    std::vector<double> entering;
+
+    Watched(OpenRun<2>& run, double place, double half, double from, double to) {
+        double area = 0.0;
+        for (double time = from; time < to; time += 0.02) {
+            run.advance_to(time);
+            const auto& p = run.simulation->particles();
+            for (std::size_t i = 0; i < p.size(); ++i) {
+                area += std::abs(p.position[0][i] - place) < half ? p.mass[i] / 1000.0 : 0.0;
+            }
+            entering.push_back(run.ends().upstream.velocity * run.ends().upstream.depth);
         }
-        samples += 1.0;
+        depth = area / static_cast<double>(entering.size()) / (2.0 * half);
     }
-    return area / samples / (2.0 * half);
+
+    /// Standard deviation of the discharge over its mean.
+    [[nodiscard]] double swing() const {
+        double sum = 0.0;
+        double squares = 0.0;
+        for (const double q : entering) {
+            sum += q;
+            squares += q * q;
+        }
+        const auto n = static_cast<double>(entering.size());
+        return std::sqrt(std::max(0.0, squares * n / (sum * sum) - 1.0));
+    }
+};
+
+double mean_depth(OpenRun<2>& run, double place, double half, double from, double to) {
+    return Watched(run, place, half, from, to).depth;
 }
 
 // A tailwater deeper than the depth that the flow can jump to drives a jump up the channel, and the flow
@@ -254,6 +272,8 @@ TEST(OpenEnds, ShootingWaterMeetsADeeperStart) {
     }
 }
 
+// The depth at the outflow rises by a tenth in a second: the water must come back from there, and the buffer
+// stay full.
 TEST(OpenEnds, AFlowThatTurnsRoundFillsTheChannelFromItsOutflow) {
     const test::TemporaryFolder folder;
     std::ofstream(folder / "tide.csv") << "time,depth\n0,0.02\n1,0.022\n";
@@ -325,6 +345,8 @@ TEST(OpenEnds, AnOverfallHasItsDepthOverTheEdge) {
 
 // Water at rest behind a weir, a dry bed beyond: what comes in goes over it, at the head of its rating
 // (Kindsvater & Carter 1957), and leaves. 15 rows over the crest: see verify.py open_sharp_weir for its bar.
+// What comes in does not swing: in the pool of 40 rows it did, by 4.6 %, where the water beside the inflow
+// was watched over six spacings, and in one of 84 rows by 70 %.
 TEST(OpenEnds, WaterGoesOverAWeirAndLeavesOverADryBed) {
     const double head = 0.06;
     const auto rating = [](double h) {
@@ -333,10 +355,10 @@ TEST(OpenEnds, WaterGoesOverAWeirAndLeavesOverADryBed) {
     OpenRun<2> run(weir(rating(head), 0.1 + head));
     const std::size_t at_start = particles_at_start(run);
     EXPECT_EQ(run.ends().downstream.depth, 0.0);
-    run.advance_to(2.0);
+    run.advance_to(3.0);
     const EndsLedger before = run.ends().ledger;
     const double from = run.simulation->clock().time;
-    const double level = mean_depth(run, 0.1, 0.03, 2.0, 3.5);
+    const Watched pool(run, 0.1, 0.03, 3.0, 4.5);
     expect_account_closes(run, at_start);
     const EndsLedger& after = run.ends().ledger;
     const double seconds = run.simulation->clock().time - from;
@@ -344,7 +366,8 @@ TEST(OpenEnds, WaterGoesOverAWeirAndLeavesOverADryBed) {
     const double went = (after.mass_left - before.mass_left) / 1000.0 / seconds;
     EXPECT_NEAR(came / rating(head), 1.0, 0.02);
     EXPECT_NEAR(went / came, 1.0, 0.05);
-    EXPECT_NEAR(came / rating(level - 0.1), 1.0, 0.05);
+    EXPECT_NEAR(came / rating(pool.depth - 0.1), 1.0, 0.05);
+    EXPECT_LT(pool.swing(), 0.01);
 }
 
 /// A laminar duct that doubles its height in a step, which reaches through the inflow.
