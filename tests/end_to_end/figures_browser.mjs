@@ -1,8 +1,9 @@
 // Looks at the figures and tables of a page in a real browser, whatever they are:
-//   node tests/end_to_end/figures_browser.mjs PAGE.html [SCREENSHOT-DIR] [--figures key,key...] [--save key,key...]
+//   node tests/end_to_end/figures_browser.mjs PAGE.html [SCREENSHOT-DIR] [--figures key,key...] [--save key,key...] [--desk]
 // Each figure is drawn, when it comes into view and not before, with titled axes and finite data, or says why not;
 // side-by-side and overlaid views draw; those named by --save (all without it) give SVG, PNG and CSV files that hold what
 // they should; nothing is wider than the window; paper takes every figure. --figures: keys that must be there.
+// --desk: not on a telephone, and not on paper before it was in view; for pages whose figures another page has too.
 
 import { mkdirSync, readFileSync, writeFileSync } from 'node:fs';
 import { join, resolve } from 'node:path';
@@ -10,10 +11,12 @@ import { check, check_figure, draw_all, failures, finish, inspect, look_through_
 
 const options = process.argv.slice(2);
 const list = name => { const at = options.indexOf(name); return at < 0 ? null : options.splice(at, 2)[1].split(','); };
+const desk = options.includes('--desk');
+if (desk) options.splice(options.indexOf('--desk'), 1);
 const expected = list('--figures') || [], saved = list('--save');
 const [page_file, folder] = options;
 if (!page_file) {
-  console.error('usage: node figures_browser.mjs PAGE.html [SCREENSHOT-DIR] [--figures key,...] [--save key,...]');
+  console.error('usage: node figures_browser.mjs PAGE.html [SCREENSHOT-DIR] [--figures key,...] [--save key,...] [--desk]');
   process.exit(2);
 }
 const file = resolve(page_file), name = file.replace(/.*\//, '').replace(/\.html$/, '');
@@ -114,6 +117,7 @@ await look_through_a_browser(async browser => {
   check(printed.length === figures, `on paper: ${printed.length} of ${figures} figures`);
   for (const [id, width, column] of printed) check(width <= column, `on paper: ${id} is ${width} px wide, its column ${column} px`);
   await context.close();
+  if (desk) return;
   // Paper takes figures that have never been in view, too.
   const fresh = await open(browser, file, 1280, 900, 'light');
   await fresh.page.pdf({ preferCSSPageSize: true });

@@ -1,21 +1,22 @@
 // Looks at a report in a real browser, without a network:
-//   node tests/end_to_end/report_browser.mjs REPORT.html [SCREENSHOT-DIR] [--partial] [--kind KIND]
+//   node tests/end_to_end/report_browser.mjs REPORT.html [SCREENSHOT-DIR] [--partial] [--kind KIND] [--desk]
 // Checks what a reader relies on: no errors, no request leaves the page, each figure has axes with titles and a
 // visible trace of finite data, the tables hold numbers, the field picture is painted, the page fits a desk and
 // a telephone, it prints. --partial allows notes in place of figures and a short
 // summary (a run that has only just started). --kind: of the flow, whose figures must be there: uniform (without the option), bodies, tank,
-// wave, box.
+// wave, box. --desk: not on a telephone.
 
 import { existsSync, mkdirSync, statSync, writeFileSync } from 'node:fs';
 import { join, resolve } from 'node:path';
 import { check, check_figure, draw_all, finish, inspect, look_through_a_browser, open } from './browser.mjs';
 
 const options = process.argv.slice(2);
+const desk = options.includes('--desk');
 const partial = options.includes('--partial');
 const kind = options.includes('--kind') ? options.splice(options.indexOf('--kind'), 2)[1] : 'uniform';
 const [page_file, folder] = options.filter(option => !option.startsWith('--'));
 if (!page_file) {
-  console.error('usage: node report_browser.mjs REPORT.html [SCREENSHOT-DIR] [--partial]');
+  console.error('usage: node report_browser.mjs REPORT.html [SCREENSHOT-DIR] [--partial] [--kind KIND] [--desk]');
   process.exit(2);
 }
 const file = resolve(page_file);
@@ -135,6 +136,7 @@ await look_through_a_browser(async browser => {
   check(partial || printed.length >= expected.length, `on paper: ${printed.length} figures were refitted`);
   for (const [id, width, column] of printed) check(width <= column, `on paper: ${id} is ${width} px wide, its column ${column} px`);
   await context.close();
+  if (desk) return;
 
   // A telephone at night: the narrow page and the dark one at once.
   const seen = await check_page(browser, 420, 900, 'dark');
