@@ -4,6 +4,7 @@
 #include <boost/math/quadrature/gauss.hpp>
 #include <cmath>
 #include <complex>
+#include <map>
 #include <numbers>
 #include <utility>
 
@@ -48,7 +49,7 @@ T shape(KernelKind kind, T q) {
 
 /// The constant by which the kernel integrates to one in D dimensions, h = 1.
 template <int D>
-double constant_of(KernelKind kind) {
+double integrated_constant(KernelKind kind) {
     const auto shell = [&](double q) { return shape(kind, q) * (D == 2 ? 2.0 * pi * q : 4.0 * pi * q * q); };
     double integral = 0.0;
     for (int piece = 0; piece < 6; ++piece) {
@@ -56,6 +57,15 @@ double constant_of(KernelKind kind) {
             boost::math::quadrature::gauss<double, 15>::integrate(shell, piece / 3.0, (piece + 1) / 3.0);
     }
     return 1.0 / integral;
+}
+
+/// The same, integrated once: every pair asks for it.
+template <int D>
+double constant_of(KernelKind kind) {
+    static std::map<KernelKind, double> constants;
+    const auto found = constants.find(kind);
+    return found != constants.end() ? found->second
+                                    : constants.emplace(kind, integrated_constant<D>(kind)).first->second;
 }
 
 template <int D>
