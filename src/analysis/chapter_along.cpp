@@ -12,6 +12,7 @@
 #include "analysis/chapters.hpp"
 #include "analysis/figure_tools.hpp"
 #include "analysis/flood_passage.hpp"
+#include "analysis/tailwater_passage.hpp"
 #include "base/error.hpp"
 #include "base/not_a_number.hpp"
 #include "case/end_levels.hpp"
@@ -280,7 +281,7 @@ void analyse_along(const FlowRecord& record, Analysis& analysis) {
     if (record.flow() == nullptr || record.origin() != Origin::simulated) return;
     const Case& c = *record.flow();
     const bool space = c.channel.dimensions == 3;
-    const bool flood = inflow_changes(c);
+    const bool changing = changes_at_ends(c);
     Figure figure = make_figure(
         chapters::along, "long_profile", "Long profile",
         fmt::format(
@@ -324,7 +325,9 @@ void analyse_along(const FlowRecord& record, Analysis& analysis) {
     figure.curves.push_back(
         make_curve("highest level", Origin::reference, Mark::line, profile.x, profile.highest, 2));
 
-    if (c.channel.ends == Ends::open && !flood) compare_with_varied_flow(record, profile, figure, analysis);
+    if (c.channel.ends == Ends::open && !changing) {
+        compare_with_varied_flow(record, profile, figure, analysis);
+    }
 
     const std::optional<MeanEstimate> discharge = canal ? std::nullopt : unit_discharge(record);
     std::optional<Heads> heads;
@@ -333,15 +336,15 @@ void analyse_along(const FlowRecord& record, Analysis& analysis) {
                                                  "discharge per unit width", "m2/s", discharge->mean,
                                                  trusted_half_width(*discharge)));
         if (find_at_end(record, fields::flow_rate.flow_rate, 1) != nullptr) {
-            analysis.findings.back().remark = flood ? "at the inflow, mean of the flood"
+            analysis.findings.back().remark = changing ? "at the inflow, mean of the whole record"
                                               : space
                                                   ? "at the inflow"
                                                   : "at the inflow; velocity, Froude number and energy line "
                                                     "take it all along the channel, as in steady flow";
         }
     }
-    // The means of a flood belong to no one discharge.
-    if (discharge && discharge->mean > 0.0 && !space && !flood) {
+    // The means of a flood or a tide belong to no one discharge.
+    if (discharge && discharge->mean > 0.0 && !space && !changing) {
         heads = heads_of(c, profile, bodies, discharge->mean);
         figure.curves.push_back(make_curve("energy line, level + (q/h)²/(2g)", Origin::simulated, Mark::line,
                                            profile.x, heads->energy, 1));
@@ -355,12 +358,13 @@ void analyse_along(const FlowRecord& record, Analysis& analysis) {
         }
     }
     analysis.figures.push_back(std::move(figure));
-    if (!flood) {
+    if (!changing) {
         add_extreme(profile, true, analysis);
         add_extreme(profile, false, analysis);
     }
     if (heads) add_velocity(profile, *heads, analysis);
     add_flood_passage(record, analysis);
+    add_tailwater_passage(record, analysis);
     if (c.channel.ends == Ends::open) add_ends(record, analysis);
 }
 

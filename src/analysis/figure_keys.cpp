@@ -18,7 +18,7 @@ const std::map<std::string_view, std::vector<std::string_view>>& keys_of_chapter
           "energy_history", "volume_history"}},
         {chapters::along,
          {"long_profile", "velocity_along", "froude_along", "end_discharges", "end_depths", "flood_passage",
-          "flood_depths", "rating_loop"}},
+          "flood_depths", "rating_loop", "tailwater_discharges", "tailwater_depths", "tailwater_loop"}},
         {chapters::statistics,
          {"velocity_history", "mean_level_history", "velocity_settling", "velocity_autocorrelation",
           "point_velocity_settling", "point_velocity_autocorrelation", "elevation_settling",

@@ -50,8 +50,9 @@ struct RunRecord::Impl {
                 "{:.6g} s; give FROM,TO in seconds with FROM < TO",
                 asked.from, asked.to, path.string(), first, last));
         }
-        // A flow that nothing drives steadily, and a flood, are of interest from their start to their end.
-        if (is_undriven(flow_kind(flow)) || inflow_changes(flow)) return {0.0, last};
+        // A flow that nothing drives steadily, a flood and a tide are of interest from their start to their
+        // end.
+        if (is_undriven(flow_kind(flow)) || changes_at_ends(flow)) return {0.0, last};
         if (const auto averaged = results.averaging_window()) return {averaged->first, averaged->second};
         return {0.5 * (first + last), last};
     }

@@ -19,7 +19,8 @@ namespace riffle::inline analysis {
 
 namespace {
 
-Figure profile_figure(std::string key, std::string title, std::string caption, std::string source, Axis x) {
+Figure section_profile_figure(std::string key, std::string title, std::string caption, std::string source,
+                              Axis x) {
     return make_figure(chapters::section, std::move(key), std::move(title), std::move(caption),
                        std::move(source), std::move(x), make_axis("height above the bed level z", "m"));
 }
@@ -61,11 +62,11 @@ std::string strip_caption(const Case& c) {
 /// The thesis' MSEP of the centreline profile, above and below a quarter of the depth over the datum.
 void add_errors(const FlowRecord& record, const SectionProfile& profile, Analysis& analysis) {
     const FlowRecord::Measured& measured = record.measured();
-    Figure figure =
-        profile_figure("centreline_msep_profile", "MSEP at the centreline",
-                       "Mean square error percentage of the thesis, 100 ((u_exp - u)/u_exp)^2, of the "
-                       "centreline's velocity and its gradient: 0.5 % is a departure of 7 %, 4.5 % of 21 %.",
-                       "thesis chapter 5, MSEP", make_axis("MSEP", "%"));
+    Figure figure = section_profile_figure(
+        "centreline_msep_profile", "MSEP at the centreline",
+        "Mean square error percentage of the thesis, 100 ((u_exp - u)/u_exp)^2, of the "
+        "centreline's velocity and its gradient: 0.5 % is a departure of 7 %, 4.5 % of 21 %.",
+        "thesis chapter 5, MSEP", make_axis("MSEP", "%"));
     if (measured.profile.height.size() < 2) {
         add_missing(record, analysis, std::move(figure),
                     measured.note.empty() ? "no measured profile is known" : measured.note);
@@ -118,9 +119,9 @@ void add_centreline(const FlowRecord& record, Analysis& analysis) {
     const std::vector<double> none;
     const ColumnProfile* const column = record.column() == nullptr ? nullptr : &record.column()->profile;
 
-    Figure velocity = profile_figure("centreline_velocity_profile", "Streamwise velocity at the centreline",
-                                     strip_caption(c), "thesis chapter 5, centreline profiles",
-                                     make_axis("streamwise velocity u", "m/s"));
+    Figure velocity = section_profile_figure(
+        "centreline_velocity_profile", "Streamwise velocity at the centreline", strip_caption(c),
+        "thesis chapter 5, centreline profiles", make_axis("streamwise velocity u", "m/s"));
     velocity.curves.push_back(profile_curve("simulated", Origin::simulated, Mark::line_and_points, u));
     add_twin(record, record.section_twin().velocity, column ? column->velocity : none, strip, 0, velocity);
     const FlowRecord::Measured& measured = record.measured();
@@ -134,8 +135,8 @@ void add_centreline(const FlowRecord& record, Analysis& analysis) {
     add_errors(record, u, analysis);
 
     Figure vertical =
-        profile_figure("centreline_vertical_velocity_profile", "Vertical velocity at the centreline",
-                       strip_caption(c), "thesis chapter 5", make_axis("vertical velocity w", "m/s"));
+        section_profile_figure("centreline_vertical_velocity_profile", "Vertical velocity at the centreline",
+                               strip_caption(c), "thesis chapter 5", make_axis("vertical velocity w", "m/s"));
     vertical.curves.push_back(profile_curve("simulated", Origin::simulated, Mark::line_and_points,
                                             strip_profile(field, strip, [](const FieldSums& s) {
                                                 return s.means(FieldQuantity::vertical_velocity);
@@ -143,12 +144,12 @@ void add_centreline(const FlowRecord& record, Analysis& analysis) {
     analysis.figures.push_back(std::move(vertical));
 
     const double rho = c.fluid.density;
-    Figure stress =
-        profile_figure("centreline_stress_profile", "Shear stress at the centreline",
-                       strip_caption(c) +
-                           " The line is that of a wide channel, tau_b (1 - (z - d_h)/(H - d_h)): beside "
-                           "it the stress tau_xy on vertical planes carries weight to the walls.",
-                       "thesis chapter 5", make_axis("shear stress tau_xz", "Pa"));
+    Figure stress = section_profile_figure(
+        "centreline_stress_profile", "Shear stress at the centreline",
+        strip_caption(c) +
+            " The line is that of a wide channel, tau_b (1 - (z - d_h)/(H - d_h)): beside "
+            "it the stress tau_xy on vertical planes carries weight to the walls.",
+        "thesis chapter 5", make_axis("shear stress tau_xz", "Pa"));
     const auto add = [&](const char* name, int variant, const SectionEstimator& estimator) {
         Curve curve =
             profile_curve(name, Origin::simulated, Mark::line, strip_profile(field, strip, estimator));

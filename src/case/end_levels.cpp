@@ -61,9 +61,11 @@ bool inflow_changes(const Case& c) {
     return c.channel.ends == Ends::open && !(c.inflow.discharge_file.empty() && c.inflow.depth_file.empty());
 }
 
-bool changes_at_ends(const Case& c) {
-    return inflow_changes(c) || (c.channel.ends == Ends::open && !c.outflow.depth_file.empty());
+bool tailwater_changes(const Case& c) {
+    return c.channel.ends == Ends::open && !c.outflow.depth_file.empty();
 }
+
+bool changes_at_ends(const Case& c) { return inflow_changes(c) || tailwater_changes(c); }
 
 double level_with_room(const Case& c) {
     constexpr double depths = 4.0;

@@ -31,6 +31,9 @@ struct LeastDepth {
 /// Whether what enters an open channel follows a file in time, as a flood does.
 [[nodiscard]] bool inflow_changes(const Case& c);
 
+/// Whether the depth at the outflow of an open channel follows a file in time, as a tide does.
+[[nodiscard]] bool tailwater_changes(const Case& c);
+
 /// Whether discharge or depth at open ends change in time by a file.
 [[nodiscard]] bool changes_at_ends(const Case& c);
 

@@ -79,7 +79,9 @@ SectionKeys inflow_keys() {
             "the one given. 0: it holds at each moment, and waves are thrown back.")
             .measured_in(time)
             .at_least(0)
-            .unset_by("auto", "5 sqrt(H / g); in a duct 0.1 L / U_max"));
+            .unset_by(
+                "auto",
+                "5 sqrt(H / g), and no longer than that of an outflow with a `depth_file`; in a duct 0.1 L / U_max"));
     return s;
 }
 
@@ -123,7 +125,9 @@ SectionKeys outflow_keys() {
             .greater_than(0)
             .unset_by(
                 "auto",
-                "80 sqrt(H / g), at least the time that a wave takes along the channel; in a duct 0.1 L / U_max")
+                "80 sqrt(H / g), at least the time that a wave takes along the channel; with `depth_file` at most 0.5 % "
+                "of the time in which that depth would go through its range as fast as it ever changes, but at "
+                "least sqrt(H / g); in a duct 0.1 L / U_max")
             .applies_with(
                 kind, {"depth", "normal-depth", "critical-depth", "weir", "rating-curve", "pressure"}, true));
     return s;

@@ -21,6 +21,7 @@
 #include "column/twin_reaches.hpp"
 #include "column/uniform_rating.hpp"
 #include "ends/end_checks.hpp"
+#include "ends/end_relaxation.hpp"
 #include "ends/flow_of_results.hpp"
 #include "ends/narrowest_opening.hpp"
 #include "ends/section_state.hpp"
@@ -265,13 +266,6 @@ double shooting_depth(const Case& c, double q) {
     return depth;
 }
 
-double default_relaxation_time(const Case& c) {
-    constexpr double times = 80.0;  // of a rise as long as five depths 5 % come back
-    const double depth = c.total_depth();
-    return std::max(times * std::sqrt(depth / c.normal_gravity()),
-                    c.channel.length / wave_speed(c.normal_gravity(), depth));
-}
-
 }  // namespace
 
 EndInput read_end_levels(const Case& c) {
@@ -302,10 +296,9 @@ EndInput read_end_levels(const Case& c) {
         } else {
             input.outflow_depth = outflow_rule(c, input.unit_discharge, floors.downstream);
         }
-        constexpr double times = 5.0;
-        input.inflow_relaxation_time =
-            c.inflow.relaxation_time.value_or(times * std::sqrt(c.total_depth() / c.normal_gravity()));
-        input.relaxation_time = c.outflow.relaxation_time.value_or(default_relaxation_time(c));
+        const EndRelaxation times = end_relaxation(c, input.outflow_table);
+        input.inflow_relaxation_time = times.inflow;
+        input.relaxation_time = times.outflow;
         require_subcritical_outflow(c, input, floors.downstream);
         require_profile_in_water(c, floors.upstream);
     }

@@ -123,6 +123,10 @@ void EndSections::follow_downstream(EndState& end, double time, double dt) const
         section.depth = std::max(section.depth, least_depth_);
         end.coming +=
             relaxation(gravity_, section, input_.outflow_depth(q, time), input_.relaxation_time, dt);
+        if (input_.outflow_table) {
+            const double of_the_tide = input_.outflow_table->at(time) - input_.outflow_table->at(time - dt);
+            end.coming += invariant_of_depth(gravity_, section, of_the_tide);
+        }
         section = outflow_between(gravity_, going, end.coming);
     }
     go_over_to(end, section, dt);

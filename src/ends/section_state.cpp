@@ -44,6 +44,10 @@ double invariant_of_discharge(double gravity, const Section& now, double change)
     return change / (0.5 * now.depth * (1.0 + now.velocity / wave_speed(gravity, now.depth)));
 }
 
+double invariant_of_depth(double gravity, const Section& now, double change) {
+    return -2.0 * std::sqrt(gravity / now.depth) * change;
+}
+
 Section outflow_between(double gravity, double going, double coming) {
     const double c = std::max(0.0, 0.25 * (going - coming));
     return {c * c / gravity, 0.5 * (going + coming)};

@@ -33,6 +33,10 @@ struct Section {
 /// wave of the period T is (1 - Fr)/(1 + Fr)/sqrt(1 + (2 pi time/T)^2) of its height.
 [[nodiscard]] double invariant_of_discharge(double gravity, const Section& now, double change);
 
+/// Change of the invariant `coming` = U - 2 c, which enters at the downstream end, that changes the depth of
+/// a section by `change` (m).
+[[nodiscard]] double invariant_of_depth(double gravity, const Section& now, double change);
+
 /// Section at the downstream end between the invariants `going` = U + 2 c, which comes down the channel, and
 /// `coming` = U - 2 c, which enters there.
 [[nodiscard]] Section outflow_between(double gravity, double going, double coming);

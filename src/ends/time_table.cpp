@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <optional>
 #include <utility>
 
@@ -51,6 +52,14 @@ TimeTable::TimeTable(std::vector<double> time, std::vector<double> value)
 double TimeTable::at(double time) const { return place_in(time_, time).in(value_); }
 double TimeTable::largest() const { return *std::max_element(value_.begin(), value_.end()); }
 double TimeTable::smallest() const { return *std::min_element(value_.begin(), value_.end()); }
+
+double TimeTable::fastest_passage() const {
+    double fastest = 0.0;
+    for (std::size_t i = 1; i < time_.size(); ++i) {
+        fastest = std::max(fastest, std::abs(value_[i] - value_[i - 1]) / (time_[i] - time_[i - 1]));
+    }
+    return fastest > 0.0 ? (largest() - smallest()) / fastest : 0.0;
+}
 
 TwoColumns read_two_columns(const std::filesystem::path& path, const TableColumn& first,
                             const std::vector<TableColumn>& others, double least) {

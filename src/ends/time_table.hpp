@@ -17,6 +17,8 @@ class TimeTable {
     [[nodiscard]] double at(double time) const;
     [[nodiscard]] double largest() const;
     [[nodiscard]] double smallest() const;
+    /// Time in which it would go through its range as fast as it ever changes, s; 0 of a constant.
+    [[nodiscard]] double fastest_passage() const;
     /// The times of its rows, s.
     [[nodiscard]] const std::vector<double>& times() const { return time_; }
 

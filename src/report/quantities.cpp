@@ -303,10 +303,12 @@ void add_findings(Table& table, const Analysis& analysis,
     }
 }
 
-/// What a flood is known by, as it passes the sections of the instruments.
-void add_flood(Table& table, const Analysis& analysis) {
+/// What a flood or a tide is known by, as it passes the sections of the instruments.
+void add_passages(Table& table, const Analysis& analysis) {
     for (const Finding& finding : analysis.findings) {
-        if (finding.key.rfind("flood_", 0) == 0) add_findings(table, analysis, {{finding.key.c_str(), ""}});
+        if (finding.key.rfind("flood_", 0) == 0 || finding.key.rfind("tailwater_", 0) == 0) {
+            add_findings(table, analysis, {{finding.key.c_str(), ""}});
+        }
     }
 }
 
@@ -342,7 +344,7 @@ std::vector<SummaryRow> summarize(const ReportData& data, const Analysis& analys
                       {"lowest_level", ""},
                       {"largest_froude", "Fr"},
                       {"backwater_departure", ""}});
-        add_flood(table, analysis);
+        add_passages(table, analysis);
         add_forces_on_bodies(table, data, analysis);
         for (std::size_t k = 1; k <= data.flow.solids.size(); ++k) {
             const std::string number = std::to_string(k);

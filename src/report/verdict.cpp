@@ -187,6 +187,36 @@ void judge_flood(const std::vector<SummaryRow>& quantities, Verdict& verdict) {
     verdict.sentences.push_back(text + ".");
 }
 
+/// How the water went up and down at the ends under a tailwater that changes; nothing of a steady one.
+void judge_tailwater(const std::vector<SummaryRow>& quantities, Verdict& verdict) {
+    // The rows of each section, in their order downstream.
+    const auto rows = [&](const char* key) {
+        std::vector<const SummaryRow*> found;
+        for (const SummaryRow& row : quantities) {
+            if (row.key.rfind(key, 0) == 0 && row.simulated) found.push_back(&row);
+        }
+        return found;
+    };
+    const auto number = [](const SummaryRow& row) { return row.factor * row.simulated->value; };
+    const auto low = rows("tailwater_low_");
+    const auto high = rows("tailwater_high_");
+    const auto range = rows("tailwater_range_");
+    const auto smallest = rows("tailwater_smallest_discharge_");
+    const auto largest = rows("tailwater_largest_discharge_");
+    if (low.empty() || smallest.empty()) return;
+    std::string text = fmt::format(
+        "The tailwater changes: at the section furthest downstream the depth goes from {:.4g} to {:.4g} {} "
+        "and the discharge from {:.3g} to {:.3g} {}",
+        number(*low.back()), number(*high.back()), low.back()->unit, number(*smallest.back()),
+        number(*largest.back()), smallest.back()->unit);
+    if (smallest.back()->simulated->value < 0.0) text += ", less than zero where the flow turns";
+    if (range.size() > 1 && range.back()->simulated->value > 0.0) {
+        text += fmt::format("; {:.3g} % of that range of the depth arrive at the section furthest upstream",
+                            100.0 * range.front()->simulated->value / range.back()->simulated->value);
+    }
+    verdict.sentences.push_back(text + ".");
+}
+
 void judge_bodies(const ReportData& data, const std::vector<SummaryRow>& quantities, Verdict& verdict) {
     const bool bodies_stand = !data.flow.solids.empty();
     std::string text = bodies_stand ? "Mean flow around the bodies:" : "Mean flow along the channel:";
@@ -203,6 +233,7 @@ void judge_bodies(const ReportData& data, const std::vector<SummaryRow>& quantit
     }
     verdict.sentences.push_back(text + ".");
     judge_flood(quantities, verdict);
+    judge_tailwater(quantities, verdict);
     const SummaryRow* const bodies = find_quantity(quantities, "solid_force_share");
     if (bodies != nullptr && bodies->simulated) {
         verdict.sentences.push_back(fmt::format("The bodies take {:.1f} % of the water's weight component.",

@@ -1,4 +1,4 @@
-"""Floods: a hydrograph that passes a flume, against unsteady flow in one dimension."""
+"""Floods and tides: flow that changes along a flume, against unsteady flow in one dimension."""
 
 import csv
 import json
@@ -34,6 +34,26 @@ def smooth(values, width):
     return numpy.convolve(numpy.pad(values, (width // 2, width // 2), "edge"), numpy.ones(width) / width, "valid")
 
 
+def _two_columns(case):
+    """The columns of the CSV file that lies beside a case under its name."""
+    with open((ROOT / case).with_suffix(".csv"), encoding="utf-8") as file:
+        rows = list(csv.DictReader(line for line in file if not line.startswith("#")))
+    return numpy.array([[float(value) for value in row.values()] for row in rows]).T
+
+
+def _sections(flow):
+    """Places, times, and the running means over 0.42 s of depth and discharge [place, time] of the probe "sections"."""
+    with h5py.File(flow.folder / "results.h5", "r") as file:
+        probe = file["/probes/sections"]
+        h, q = (numpy.array([smooth(column, 21) for column in probe[name][:].T]) for name in ("depth", "flow_rate"))
+        return probe["x"][:], probe["time"][:], h, q
+
+
+def _power_rating(depths, discharge):
+    """Discharge of uniform flow at a depth, by power laws between those of a table."""
+    return lambda h: numpy.exp(numpy.interp(numpy.log(h), numpy.log(depths), numpy.log(discharge)))
+
+
 def hydrograph(study):
     case = "cases/open-ends/hydrograph.toml"
     check = Check("open_hydrograph", "A flood passes a flume",
@@ -42,15 +62,10 @@ def hydrograph(study):
     flow = study.run("open_hydrograph", case)
     depths = numpy.geomspace(0.05, 0.13, 8)
     discharge, beta = uniform_rating(study, case, depths)
-    rating = lambda h: numpy.exp(numpy.interp(numpy.log(h), numpy.log(depths), numpy.log(discharge)))
-    with open((ROOT / case).with_suffix(".csv"), encoding="utf-8") as file:
-        rows = list(csv.DictReader(line for line in file if not line.startswith("#")))
-    given = numpy.array([[float(value) for value in row.values()] for row in rows]).T
+    rating = _power_rating(depths, discharge)
+    given = _two_columns(case)
     entering = lambda t: numpy.interp(t, given[0], given[1])
-    with h5py.File(flow.folder / "results.h5", "r") as file:
-        probe = file["/probes/sections"]
-        x, time = probe["x"][:], probe["time"][:]
-        h, q = (numpy.array([smooth(column, 21) for column in probe[name][:].T]) for name in ("depth", "flow_rate"))
+    x, time, h, q = _sections(flow)
     slope, gravity = numpy.sin(numpy.arctan(flow.parameters["channel"]["slope"])), 9.81
     first = float(numpy.exp(numpy.interp(numpy.log(entering(0.0)), numpy.log(discharge), numpy.log(depths))))
     solve = lambda length, depth, cells: saint_venant(
@@ -92,4 +107,56 @@ def hydrograph(study):
     return check
 
 
-CHECKS = {"open_hydrograph": hydrograph}
+def _steady_depths(length, slope, gravity, friction_slope, discharge, depth, beta, cells=400):
+    """Depth of steady varied flow on the places of saint_venant(), from that at the downstream end on (midpoint rule)."""
+    rise = lambda h: (slope - friction_slope(h, discharge)) / (1.0 - beta * discharge**2 / (gravity * h**3))
+    h = numpy.full(cells + 1, depth)
+    dx = length / cells
+    for i in range(cells, 0, -1):
+        h[i - 1] = h[i] - dx * rise(h[i] - 0.5 * dx * rise(h[i]))
+    return h
+
+
+def tide(study):
+    case = "cases/open-ends/tide.toml"
+    check = Check("open_tide", "A tide against a river",
+                  "The depth at the end of a channel of 6 m rises and falls by 16 mm every minute against a constant discharge, which turns: against the equations of de "
+                  "Saint-Venant with the friction of the column twin, 400 cells, the discharge upstream and the depth of the file at the outflow.")
+    flow = study.run("open_tide", case)
+    depths = numpy.geomspace(0.05, 0.12, 8)
+    discharge, beta = uniform_rating(study, case, depths)
+    rating = _power_rating(depths, discharge)
+    given = _two_columns(case) * [[1.0], [1e-3]]
+    x, time, h, q = _sections(flow)
+    slope, gravity, length = numpy.sin(numpy.arctan(flow.parameters["channel"]["slope"])), 9.81, flow.length
+    entering = flow.parameters["inflow"]["unit_discharge"]
+    friction = lambda h, q: slope * q * numpy.abs(q) / rating(h) ** 2
+    start = _steady_depths(length, slope, gravity, friction, entering, given[1][0], beta)
+    moments, places, exact_h, exact_q = saint_venant(
+        length, slope, gravity, friction, lambda t: entering, lambda t: float(numpy.interp(t, *given)),
+        (lambda x: start.copy(), lambda x: numpy.full_like(x, entering)), time[-1], 400, beta)
+    late = time > given[0][given[1].argmax()]
+    at = lambda place: numpy.abs(places - place).argmin()
+    series = lambda values, place: numpy.interp(time, moments, values[:, at(place)])
+    range_of = lambda values: float(values.max() - values.min())
+    tide_range, flow_range = range_of(given[1]), range_of(series(exact_q, x[-1])[late])
+    figure = figures.Figure(2)
+    axes = [figure.panel("time (s)", "discharge (m2/s)", "through four sections"), figure.panel("time (s)", "depth (mm)", "there")]
+    for n, place in enumerate(x):
+        qs, hs = series(exact_q, place), series(exact_h, place)
+        check.norm(f"discharge at {place:g} m, rms over its range at {x[-1]:g} m", float(numpy.sqrt(numpy.mean((q[n] - qs)[late] ** 2)) / flow_range), 0.03)
+        check.norm(f"depth at {place:g} m, rms over the range of the tide", float(numpy.sqrt(numpy.mean((h[n] - hs)[late] ** 2)) / tide_range), 0.03)
+        check.norm(f"range of the depth at {place:g} m, {range_of(hs[late]) / tide_range:.2f} of the tide's", float(range_of(h[n][late]) / range_of(hs[late]) - 1), 0.03)
+        colour = figures.COLOURS[n]
+        for panel, run, reference in ((axes[0], q[n], qs), (axes[1], 1e3 * h[n], 1e3 * hs)):
+            figures.exact(panel, time, reference, f"de Saint-Venant, {place:g} m", colour)
+            figures.simulated(panel, time, run, f"{place:g} m", colour, most=60)
+    turned = [float(numpy.mean(values[late] < 0.0)) for values in (q[-1], series(exact_q, x[-1]))]
+    check.norm(f"share of the time in which water goes up the channel at {x[-1]:g} m, {turned[1]:.3f}, less that", turned[0] - turned[1], 0.02, "", 3)
+    account(check, flow)
+    check.figures.append((figure.svg(check.name), "Discharge and depth under a tide: the river turns near its mouth, and stands higher at its head than the tide."))
+    check.best, check.cost = options_text(flow), flow.cost_text
+    return check
+
+
+CHECKS = {"open_hydrograph": hydrograph, "open_tide": tide}

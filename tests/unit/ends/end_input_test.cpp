@@ -195,6 +195,24 @@ TEST(EndInput, ADuctWithAConstrictionHasThePressureForItsJet) {
     EXPECT_NEAR(end_extremes(duct(0.1), read_end_input(duct(0.1))).velocity, jet, 1e-9);
 }
 
+// A depth that changes by a file is followed, but for waves that are short for that change.
+TEST_F(EndFiles, ADepthThatChangesIsFollowed) {
+    Case c =
+        open_case("[inflow]\nunit_discharge = \"0.02 m2/s\"\n[outflow]\nkind = \"depth\"\ndepth = 0.06\n");
+    const double held = read_end_input(c).relaxation_time;
+    c.outflow.depth.reset();
+    const auto follows = [&](const std::string& rows) {
+        c.outflow.depth_file = write("tide.csv", "time [s],depth [mm]\n" + rows);
+        return read_end_input(c).relaxation_time;
+    };
+    EXPECT_NEAR(follows("0,60\n50,80\n100,60\n150,70\n"), 0.25, 1e-12);  // 20 mm at 0.4 mm/s
+    EXPECT_EQ(read_end_input(c).inflow_relaxation_time, read_end_input(c).relaxation_time);
+    EXPECT_EQ(follows("0,60\n100000,80\n"), held);
+    EXPECT_NEAR(read_end_input(c).inflow_relaxation_time, 5.0 / 80.0 * held, 1e-12);
+    EXPECT_EQ(follows("0,60\n10,60\n"), held);
+    EXPECT_NEAR(follows("0,60\n1,60\n1.01,70\n") / held, 1.0 / 80.0, 1e-12);
+}
+
 TEST_F(EndFiles, AHydrographIsReadInItsUnits) {
     Case c = free_channel_of_a_file();
     c.inflow.discharge_file = write("flood.csv", "time [s],discharge [l/s]\n0,4.59\n10,9.18\n");

@@ -46,6 +46,27 @@ TEST(EndSections, AHydrographEntersWithoutDelay) {
     });
 }
 
+// Nor does a tide at the outflow wait for its relaxation time.
+TEST(EndSections, ATideIsFollowedWithoutDelay) {
+    EndInput input;
+    input.outflow_table = TimeTable({0.0, 2.0, 12.0, 20.0}, {0.4, 0.4, 0.46, 0.42});
+    input.outflow_depth = [table = *input.outflow_table](double, double time) { return table.at(time); };
+    input.relaxation_time = 5.0;
+    const EndSections sections(input, gravity, sound_speed, least_depth);
+    EndState end = sections.start(0.4, 0.05);
+    const double going = end.velocity + 2.0 * wave_speed(gravity, end.depth);
+    const double dt = 0.005;
+    for (double time = dt; time < 20.0; time += dt) {
+        // A long reach takes out what the end sends up it.
+        const Section reach =
+            outflow_between(gravity, going, end.velocity - 2.0 * wave_speed(gravity, end.depth));
+        end.watched_depth = reach.depth;
+        end.watched_velocity = reach.velocity;
+        sections.follow_downstream(end, time, dt);
+        ASSERT_NEAR(end.depth, input.outflow_table->at(time), 2e-4) << time;
+    }
+}
+
 // Where the start has another depth than supercritical water that enters, the section goes to it at the speed
 // of its waves, not at once; then it follows what is given without delay.
 TEST(EndSections, ShootingWaterComesToItsDepthAtTheSpeedOfWaves) {

@@ -314,6 +314,37 @@ TEST(Kinds, AClosedFlowIsJudgedByWhatItMustKeep) {
     EXPECT_EQ(row(diagnose(data, analysis), "lost_water")->mark, Health::bad);
 }
 
+// Of a tide the page tells how the water went up and down, and no drift is bad.
+TEST(Kinds, ATideIsToldByItsRange) {
+    ReportData data = channel();
+    data.flow.channel.ends = Ends::open;
+    data.flow.channel.length = 4.0;
+    data.flow.outflow.kind = OutflowKind::depth;
+    data.flow.outflow.depth_file = "tide.csv";
+    data.column = {};
+    Analysis analysis;
+    for (const auto& [key, value, unit] : {std::tuple{"tailwater_high_1", 0.094, "m"},
+                                           {"tailwater_low_1", 0.067, "m"},
+                                           {"tailwater_range_1", 0.027, "m"},
+                                           {"tailwater_largest_discharge_1", 0.0065, "m2/s"},
+                                           {"tailwater_smallest_discharge_1", 0.0055, "m2/s"},
+                                           {"tailwater_high_2", 0.086, "m"},
+                                           {"tailwater_low_2", 0.074, "m"},
+                                           {"tailwater_range_2", 0.012, "m"},
+                                           {"tailwater_largest_discharge_2", 0.019, "m2/s"},
+                                           {"tailwater_smallest_discharge_2", -0.006, "m2/s"}}) {
+        analysis.findings.push_back(finding(key, value, unit));
+    }
+    const std::string text = text_of(verdict_of(data, analysis));
+    EXPECT_THAT(text,
+                HasSubstr("the depth goes from 74 to 86 mm and the discharge from -0.006 to 0.019 m²/s"));
+    EXPECT_THAT(text, HasSubstr("less than zero where the flow turns"));
+    EXPECT_THAT(text, HasSubstr("225 % of that range of the depth arrive at the section furthest upstream"));
+    EXPECT_EQ(row(diagnose(data, analysis), "depth_drift")->mark, Health::none);
+    analysis.findings.clear();
+    EXPECT_THAT(text_of(verdict_of(data, analysis)), Not(HasSubstr("tailwater")));
+}
+
 TEST(Kinds, VorticesAreJudgedByTheirDecay) {
     ReportData data = channel();
     data.flow.channel.slope = 0.0;

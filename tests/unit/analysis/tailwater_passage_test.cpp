@@ -1,0 +1,114 @@
+#include "analysis/tailwater_passage.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <numbers>
+#include <string>
+#include <vector>
+
+#include "simulated_record.hpp"
+
+namespace riffle::tailwater_passage_test {
+namespace {
+
+using ::testing::HasSubstr;
+
+/// A tide of 20 mm every 10 s that goes up a channel of 4 m with 1 m/s and loses an eighth of its range a
+/// metre; `reach`: whether it goes further up than 3 m.
+class Tide : public test::SimulatedRecord {
+  public:
+    explicit Tide(bool reach = true) : SimulatedRecord({0.0, 40.0}, Case{}) {
+        flow_->channel.ends = Ends::open;
+        flow_->channel.depth = 0.1;
+        flow_->channel.length = 4.0;
+        flow_->outflow.kind = OutflowKind::depth;
+        flow_->outflow.depth_file = "tide.csv";
+        const std::vector<double> places = {0.0, 4.0, 2.0};
+        for (std::size_t n = 0; n < places.size(); ++n) {
+            ScalarProbe discharge;
+            discharge.name = n < 2 ? "standard_end_sections" : "gauge";
+            discharge.kind = "flow_rate";
+            discharge.quantity = "flow_rate_" + std::to_string(n < 2 ? n + 1 : 1);
+            discharge.x = places[n];
+            ScalarProbe depth = discharge;
+            depth.quantity = "depth_" + std::to_string(n < 2 ? n + 1 : 1);
+            const double away = 4.0 - places[n];
+            const double share = n == 0 && !reach ? 0.0 : 1.0 - away / 8.0;
+            for (int i = 0; i <= 2000; ++i) {
+                const double time = 0.02 * i;
+                const double phase = 2.0 * std::numbers::pi * (time - away) / 10.0;
+                discharge.time.push_back(time);
+                discharge.value.push_back(0.01 - 0.015 * share * std::cos(phase));
+                depth.time.push_back(time);
+                depth.value.push_back(0.1 + 0.01 * share * std::sin(phase));
+            }
+            probes_.push_back(std::move(discharge));
+            probes_.push_back(std::move(depth));
+        }
+    }
+    [[nodiscard]] const std::vector<ScalarProbe>& scalar_probes() const override { return probes_; }
+    [[nodiscard]] const SpaceTime& surface() const override { return surface_; }
+
+    std::vector<ScalarProbe> probes_;
+    SpaceTime surface_;
+};
+
+TEST(TailwaterPassage, TellsHowLateAndHowMuchOfTheTideArrives) {
+    Analysis analysis;
+    add_tailwater_passage(Tide(), analysis);
+    const auto value = [&](const char* key) {
+        const Finding* const found = find_finding(analysis, key);
+        return found != nullptr ? found->value : std::nan("");
+    };
+    const auto remark = [&](const char* key) { return find_finding(analysis, key)->remark; };
+    // The running mean over half a second takes less than 1 % of a tide of ten.
+    EXPECT_NEAR(value("tailwater_high_3"), 0.11, 1e-4);
+    EXPECT_NEAR(value("tailwater_low_3"), 0.09, 1e-4);
+    EXPECT_NEAR(value("tailwater_range_3"), 0.02, 2e-4);
+    EXPECT_NEAR(value("tailwater_range_2"), 0.015, 2e-4);
+    EXPECT_NEAR(value("tailwater_range_1"), 0.01, 2e-4);
+    EXPECT_EQ(remark("tailwater_range_3"), "");
+    EXPECT_THAT(remark("tailwater_range_2"), HasSubstr("75 % of that at the outflow"));
+    EXPECT_THAT(remark("tailwater_range_2"), ::testing::ContainsRegex("follows by (1.9|2.0)[0-9] s"));
+    EXPECT_THAT(remark("tailwater_range_1"), ::testing::ContainsRegex("follows by (3.9|4.0)[0-9] s"));
+    EXPECT_NEAR(value("tailwater_largest_discharge_3"), 0.025, 1e-3);
+    EXPECT_NEAR(value("tailwater_smallest_discharge_3"), -0.005, 1e-3);
+    // cos > 2/3 for 0.268 of the time, at first.
+    EXPECT_THAT(remark("tailwater_smallest_discharge_3"), HasSubstr("up the channel for 2"));
+    EXPECT_THAT(remark("tailwater_smallest_discharge_3"), HasSubstr("first at t = 0 s"));
+    EXPECT_NEAR(value("tailwater_smallest_discharge_1"), 0.0025, 1e-3);
+    EXPECT_THAT(remark("tailwater_smallest_discharge_1"), ::testing::Not(HasSubstr("up the channel")));
+    ASSERT_EQ(analysis.figures.size(), 3U);
+    for (const Figure& figure : analysis.figures) EXPECT_EQ(figure.curves.size(), 3U) << figure.key;
+}
+
+TEST(TailwaterPassage, SaysWhereTheTideDoesNotArrive) {
+    Analysis analysis;
+    add_tailwater_passage(Tide(false), analysis);
+    EXPECT_THAT(find_finding(analysis, "tailwater_range_1")->remark, HasSubstr("which it does not follow"));
+}
+
+TEST(TailwaterPassage, SaysNothingOfADepthThatIsHeld) {
+    Tide record;
+    record.flow_->outflow.depth_file.clear();
+    record.flow_->outflow.depth = 0.1;
+    Analysis analysis;
+    add_tailwater_passage(record, analysis);
+    EXPECT_TRUE(analysis.findings.empty());
+    EXPECT_TRUE(analysis.figures.empty());
+}
+
+// A flood that comes with the tide has the figures; the findings of both stand.
+TEST(TailwaterPassage, LeavesTheFiguresToAFlood) {
+    Tide record;
+    record.flow_->inflow.discharge_file = "hydrograph.csv";
+    Analysis analysis;
+    add_tailwater_passage(record, analysis);
+    EXPECT_NE(find_finding(analysis, "tailwater_range_1"), nullptr);
+    EXPECT_TRUE(analysis.figures.empty());
+}
+
+}  // namespace
+}  // namespace riffle::tailwater_passage_test
