@@ -88,35 +88,61 @@ template <int D>
 }
 
 /// Where the flow comes back from the outflow at x = `length`, what has gone into the channel is to be
-/// replaced: places behind the last particle of each row, up to `support` (m) beyond the end.
+/// replaced: places behind the last particles of the rows, up to `support` (m) beyond the end, as many as the
+/// water lacks from the end of that on to where it is still full, where the rows are shortest. (Rows of water
+/// that has been in the channel are in disorder, and their number changes with the depth; one that looked
+/// empty was filled from the end of the channel on, and a wave half a row high ran up it.) `width` (m): of
+/// the water; 1 in two dimensions.
 template <int D>
 [[nodiscard]] std::vector<Vec<D>> gaps_behind_outflow(const Particles<D>& p, const Lattice& lattice,
                                                       const InflowStreams& streams, const EndRows& of,
-                                                      double length, double support) {
-    const int files = lattice.files;
+                                                      double length, double support, double density,
+                                                      double width) {
     const double step = streams.length(of.rows, of.depth);
+    const auto slices = static_cast<std::size_t>(std::lround(support / step));
+    const double slice = support / static_cast<double>(slices);
+    const double due = slice * of.depth * width;
+    const double end = length + support;
+    // Volume by slice, from the far end on; each particle as long as its row demands.
+    std::vector<double> volume(slices, 0.0);
+    for (std::size_t i = 0; i < p.size(); ++i) {
+        const double back = end - p.position[0][i];
+        if (back < -0.5 * step || back > support + 0.5 * step) continue;
+        const double whole = p.mass[i] / (density * (1.0 + p.density_deviation[i])) / step;
+        for (std::size_t k = 0; k < slices; ++k) {
+            const double within = std::min(back + 0.5 * step, slice * static_cast<double>(k + 1)) -
+                                  std::max(back - 0.5 * step, slice * static_cast<double>(k));
+            if (within > 0.0) volume[k] += whole * within;
+        }
+    }
+    constexpr double full = 0.8;
+    double lacking = 0.0;
+    std::size_t open = 0;
+    while (open < slices) {
+        lacking += due - volume[open];
+        if (volume[open++] >= full * due) break;
+    }
+    const double from = end - slice * static_cast<double>(open);
+    const int files = lattice.files;
     std::vector<double> last(static_cast<std::size_t>(of.rows) * static_cast<std::size_t>(files),
-                             length - step);
+                             from - 0.5 * step);
     const auto index = [](double place, int count) {
         return static_cast<std::size_t>(std::clamp(place, 0.0, count - 0.5));
     };
     for (std::size_t i = 0; i < p.size(); ++i) {
-        if (p.position[0][i] > length - step) {
-            const std::size_t row = index((p.position[D - 1][i] - of.floor) / of.depth * of.rows, of.rows);
-            const std::size_t file = index(across_of<D>(p.position, i) / lattice.dy, files);
-            double& place = last[row * static_cast<std::size_t>(files) + file];
-            place = std::max(place, p.position[0][i]);
-        }
+        if (p.position[0][i] <= from - 0.5 * step) continue;
+        const std::size_t row = index((p.position[D - 1][i] - of.floor) / of.depth * of.rows, of.rows);
+        const std::size_t file = index(across_of<D>(p.position, i) / lattice.dy, files);
+        double& place = last[row * static_cast<std::size_t>(files) + file];
+        place = std::max(place, p.position[0][i]);
     }
     std::vector<Vec<D>> places;
-    for (int row = 0; row < of.rows; ++row) {
-        for (int file = 0; file < files; ++file) {
-            const auto at = static_cast<std::size_t>(row) * static_cast<std::size_t>(files) +
-                            static_cast<std::size_t>(file);
-            for (double x = last[at] + step; x < length + support; x += step) {
-                places.push_back(place_in_rows<D>(lattice, streams, of, row, file, x));
-            }
-        }
+    for (lacking -= 0.5 * lattice.volume(); lacking > 0.0; lacking -= lattice.volume()) {
+        const auto shortest = std::min_element(last.begin(), last.end());
+        if (*shortest + step >= end) break;
+        *shortest += step;
+        const auto at = static_cast<int>(shortest - last.begin());
+        places.push_back(place_in_rows<D>(lattice, streams, of, at / files, at % files, *shortest));
     }
     return places;
 }

@@ -8,6 +8,7 @@
 
 #include "case/end_buffers.hpp"
 #include "case/end_floor.hpp"
+#include "case/end_levels.hpp"
 #include "components/end_exchange.hpp"
 #include "components/end_sound.hpp"
 #include "components/end_watch.hpp"
@@ -270,6 +271,12 @@ class OpenEnds final : public Component<D, Real> {
         const double place = place_at_outflow(flow, i);
         Vec<D> u{};
         u[0] = leaving_.at(flow.clock.open_ends, place);
+        if (tailwater_changes(flow.c)) {
+            // The water beyond the end rises and falls as well: as much less goes on there, or its rows are
+            // drawn apart and pressed together, and a tide that comes in brings too little.
+            u[0] -=
+                (flow.particles.position[0][i] - length_) * end.depth_rate / std::max(end.depth, lattice_.dz);
+        }
         u[Flow::vertical] = place * end.depth_rate;
         return u;
     }
@@ -371,8 +378,9 @@ class OpenEnds final : public Component<D, Real> {
         if (falls_ || state.downstream.velocity >= 0.0) return;
         const double depth = std::max(state.downstream.depth, lattice_.dz);
         const EndRows behind{.rows = streams_.rows_for(depth), .depth = depth, .floor = floors_.downstream};
-        add(gaps_behind_outflow(flow.particles, lattice_, streams_, behind, length_, support_), false,
-            [&](std::size_t i) { return leaving_section(flow, i); });
+        add(gaps_behind_outflow(flow.particles, lattice_, streams_, behind, length_, support_,
+                                flow.scheme.density, flow.c.channel.flow_width()),
+            false, [&](std::size_t i) { return leaving_section(flow, i); });
     }
 
     Lattice lattice_;
