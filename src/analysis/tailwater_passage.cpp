@@ -70,8 +70,10 @@ std::string range_remark(const PassingSection& section, const PassingSection* ou
     std::string text =
         fmt::format("{:.3g} % of that at the outflow", 100.0 * extremes_of(section.depth).range / range);
     if (const auto follows = following(*outflow, section)) {
-        text += fmt::format(", which it follows by {:.2f} s (correlation {:.2f})",
-                            std::max(0.0, follows->lag), follows->correlation);
+        text += follows->lag < 0.005
+                    ? fmt::format(", with which it goes (correlation {:.2f})", follows->correlation)
+                    : fmt::format(", which it follows by {:.2f} s (correlation {:.2f})", follows->lag,
+                                  follows->correlation);
     } else {
         text += ", which it does not follow";
     }

@@ -303,12 +303,19 @@ void add_findings(Table& table, const Analysis& analysis,
     }
 }
 
-/// What a flood or a tide is known by, as it passes the sections of the instruments.
+/// What a flood is known by, as it passes the sections of the instruments, and a tide at the sections
+/// furthest up and down the channel; the findings have those between.
 void add_passages(Table& table, const Analysis& analysis) {
+    std::string furthest;  // "_5"
     for (const Finding& finding : analysis.findings) {
-        if (finding.key.rfind("flood_", 0) == 0 || finding.key.rfind("tailwater_", 0) == 0) {
-            add_findings(table, analysis, {{finding.key.c_str(), ""}});
-        }
+        const std::string& key = finding.key;
+        if (key.rfind("tailwater_", 0) == 0) furthest = key.substr(key.rfind('_'));
+    }
+    for (const Finding& finding : analysis.findings) {
+        const std::string& key = finding.key;
+        const bool of_tide =
+            key.rfind("tailwater_", 0) == 0 && (key.ends_with("_1") || key.ends_with(furthest));
+        if (key.rfind("flood_", 0) == 0 || of_tide) add_findings(table, analysis, {{key.c_str(), ""}});
     }
 }
 

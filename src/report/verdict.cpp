@@ -219,7 +219,9 @@ void judge_tailwater(const std::vector<SummaryRow>& quantities, Verdict& verdict
 
 void judge_bodies(const ReportData& data, const std::vector<SummaryRow>& quantities, Verdict& verdict) {
     const bool bodies_stand = !data.flow.solids.empty();
-    std::string text = bodies_stand ? "Mean flow around the bodies:" : "Mean flow along the channel:";
+    std::string text = changes_at_ends(data.flow) ? "Means of the whole record:"
+                       : bodies_stand             ? "Mean flow around the bodies:"
+                                                  : "Mean flow along the channel:";
     const char* joint = " ";
     for (const auto& [key, name] :
          {std::pair{"unit_discharge", "discharge per unit width"},
