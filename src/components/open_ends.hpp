@@ -142,7 +142,7 @@ class OpenEnds final : public Component<D, Real> {
     void end_step(Flow& flow) override {
         OpenEndsState& state = flow.clock.open_ends;
         const EndState& end = state.upstream;
-        streams_.advance(state, step_, [&](int row, int file) {
+        streams_.advance(state, step_, spreading(flow, end), [&](int row, int file) {
             const double place = (row + 0.5) / state.rows;
             return end.velocity * entering().at(moment_, files_[static_cast<std::size_t>(file)], place)[0] /
                    entering_mean_;
@@ -235,6 +235,13 @@ class OpenEnds final : public Component<D, Real> {
                                     state.downstream);
     }
 
+    /// -dU/dx of the water beyond an end, 1/s. It rises and falls with a tailwater that changes: where what
+    /// goes on along it did not change by as much, its rows would be drawn apart and pressed together, and a
+    /// tide would bring too little water in.
+    [[nodiscard]] double spreading(const Flow& flow, const EndState& end) const {
+        return tailwater_changes(flow.c) ? end.depth_rate / std::max(end.depth, lattice_.dz) : 0.0;
+    }
+
     /// In its stream, that is straight; the motions across it begin within one support of the channel, over
     /// which they grow to their size.
     [[nodiscard]] Vec<D> entering_velocity(const Flow& flow, std::size_t i) const {
@@ -245,6 +252,7 @@ class OpenEnds final : public Component<D, Real> {
         const double grown = std::clamp(1.0 + flow.particles.position[0][i] / support_, 0.0, 1.0);
         Vec<D> u{};
         u[0] = end.velocity * relative[0] / entering_mean_ + sound_.velocity_of(0, sound_at(flow, i, true));
+        u[0] -= flow.particles.position[0][i] * spreading(flow, end);
         if constexpr (D == 3) u[1] = grown * end.velocity * relative[1] / entering_mean_;
         u[Flow::vertical] = place * end.depth_rate + grown * end.velocity * relative[2] / entering_mean_;
         return u;
@@ -271,12 +279,7 @@ class OpenEnds final : public Component<D, Real> {
         const double place = place_at_outflow(flow, i);
         Vec<D> u{};
         u[0] = leaving_.at(flow.clock.open_ends, place);
-        if (tailwater_changes(flow.c)) {
-            // The water beyond the end rises and falls as well: as much less goes on there, or its rows are
-            // drawn apart and pressed together, and a tide that comes in brings too little.
-            u[0] -=
-                (flow.particles.position[0][i] - length_) * end.depth_rate / std::max(end.depth, lattice_.dz);
-        }
+        u[0] -= (flow.particles.position[0][i] - length_) * spreading(flow, end);
         u[Flow::vertical] = place * end.depth_rate;
         return u;
     }

@@ -14,10 +14,13 @@ void InflowStreams::begin(OpenEndsState& state, int rows, double front) const {
     state.front.assign(static_cast<std::size_t>(rows) * static_cast<std::size_t>(files_), front);
 }
 
-void InflowStreams::advance(OpenEndsState& state, double dt,
+void InflowStreams::advance(OpenEndsState& state, double dt, double spreading,
                             const std::function<double(int, int)>& velocity) const {
     for (int row = 0; row < state.rows; ++row) {
-        for (int file = 0; file < files_; ++file) front(state, row, file) += dt * velocity(row, file);
+        for (int file = 0; file < files_; ++file) {
+            double& place = front(state, row, file);
+            place += dt * (velocity(row, file) - place * spreading);
+        }
     }
 }
 

@@ -27,8 +27,8 @@ class InflowStreams {
 
     /// Streams of so many rows whose last particles stand at x = `front`.
     void begin(OpenEndsState& state, int rows, double front) const;
-    /// Move the streams for dt, each at its velocity.
-    void advance(OpenEndsState& state, double dt,
+    /// Move the streams for dt, each at its velocity at x = 0, which falls by `spreading` (1/s) along it.
+    void advance(OpenEndsState& state, double dt, double spreading,
                  const std::function<double(int row, int file)>& velocity) const;
     /// Take another number of rows where the depth has changed by more than most of a row; the area stays.
     void rearrange(OpenEndsState& state, double depth) const;

@@ -141,7 +141,8 @@ def tide(study):
     range_of = lambda values: float(values.max() - values.min())
     tide_range, flow_range = range_of(given[1]), range_of(series(exact_q, x[-1])[late])
     figure = figures.Figure(2)
-    axes = [figure.panel("time (s)", "discharge (m2/s)", "through four sections"), figure.panel("time (s)", "depth (mm)", "there")]
+    places_text = f"at {', '.join(f'{place:g}' for place in x)} m (blue to violet)"
+    axes = [figure.panel("time (s)", "discharge (m2/s)", places_text), figure.panel("time (s)", "depth (mm)", places_text)]
     for n, place in enumerate(x):
         qs, hs = series(exact_q, place), series(exact_h, place)
         check.norm(f"discharge at {place:g} m, rms over its range at {x[-1]:g} m", float(numpy.sqrt(numpy.mean((q[n] - qs)[late] ** 2)) / flow_range), 0.03)
@@ -149,8 +150,8 @@ def tide(study):
         check.norm(f"range of the depth at {place:g} m, {range_of(hs[late]) / tide_range:.2f} of the tide's", float(range_of(h[n][late]) / range_of(hs[late]) - 1), 0.03)
         colour = figures.COLOURS[n]
         for panel, run, reference in ((axes[0], q[n], qs), (axes[1], 1e3 * h[n], 1e3 * hs)):
-            figures.exact(panel, time, reference, f"de Saint-Venant, {place:g} m", colour)
-            figures.simulated(panel, time, run, f"{place:g} m", colour, most=60)
+            figures.exact(panel, time, reference, None if n else "de Saint-Venant", colour)
+            figures.simulated(panel, time, run, None if n else "particles", colour, most=60)
     turned = [float(numpy.mean(values[late] < 0.0)) for values in (q[-1], series(exact_q, x[-1]))]
     check.norm(f"share of the time in which water goes up the channel at {x[-1]:g} m, {turned[1]:.3f}, less that", turned[0] - turned[1], 0.02, "", 3)
     account(check, flow)

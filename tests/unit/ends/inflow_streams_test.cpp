@@ -52,7 +52,7 @@ TEST(InflowStreams, TheDischargeIsExact) {
         for (int row = 0; row < inflow.state.rows; ++row) {
             discharge += dt * velocity(row) * inflow.depth / inflow.state.rows;
         }
-        inflow.streams.advance(inflow.state, dt, velocity);
+        inflow.streams.advance(inflow.state, dt, 0.0, velocity);
         if (step % 7 == 0) inflow.fill();
     }
     EXPECT_NEAR((inflow.made + inflow.waiting() - before) / discharge, 1.0, 1e-9);
@@ -61,7 +61,7 @@ TEST(InflowStreams, TheDischargeIsExact) {
 TEST(InflowStreams, AChangeOfTheRowsKeepsTheArea) {
     for (const int files : {1, 3}) {
         Inflow inflow(0.05, files);
-        inflow.streams.advance(inflow.state, 0.01, [](int row, int) { return 0.01 * row; });
+        inflow.streams.advance(inflow.state, 0.01, 0.0, [](int row, int) { return 0.01 * row; });
         const int rows = inflow.state.rows;
         const double before = inflow.waiting();
         const double shallow = inflow.depth;
@@ -88,7 +88,7 @@ TEST(InflowStreams, ADepthThatWaversChangesNoRows) {
 
 TEST(InflowStreams, WaterThatGoesBackIsGivenUp) {
     Inflow inflow(0.05);
-    inflow.streams.advance(inflow.state, 1.0, [](int, int) { return -0.1; });
+    inflow.streams.advance(inflow.state, 1.0, 0.0, [](int, int) { return -0.1; });
     inflow.fill();
     for (const double front : inflow.state.front) EXPECT_GE(front, edge - spacing * 1.0001);
     EXPECT_EQ(inflow.made, 0.0);
