@@ -33,6 +33,7 @@ class OpenEnds final : public Component<D, Real> {
         : lattice_(lattice_of(flow.c)),
           length_(flow.c.channel.length),
           falls_(bed_ends(flow.c)),
+          follows_tide_(tailwater_changes(flow.c)),
           gravity_(flow.scheme.normal_gravity),
           floors_(end_floors(flow.c)),
           sections_(read_end_input(flow.c), gravity_, flow.scheme.state.sound_speed, lattice_.dz),
@@ -142,7 +143,7 @@ class OpenEnds final : public Component<D, Real> {
     void end_step(Flow& flow) override {
         OpenEndsState& state = flow.clock.open_ends;
         const EndState& end = state.upstream;
-        streams_.advance(state, step_, spreading(flow, end), [&](int row, int file) {
+        streams_.advance(state, step_, spreading(end), [&](int row, int file) {
             const double place = (row + 0.5) / state.rows;
             return end.velocity * entering().at(moment_, files_[static_cast<std::size_t>(file)], place)[0] /
                    entering_mean_;
@@ -238,8 +239,8 @@ class OpenEnds final : public Component<D, Real> {
     /// -dU/dx of the water beyond an end, 1/s. It rises and falls with a tailwater that changes: where what
     /// goes on along it did not change by as much, its rows would be drawn apart and pressed together, and a
     /// tide would bring too little water in.
-    [[nodiscard]] double spreading(const Flow& flow, const EndState& end) const {
-        return tailwater_changes(flow.c) ? end.depth_rate / std::max(end.depth, lattice_.dz) : 0.0;
+    [[nodiscard]] double spreading(const EndState& end) const {
+        return follows_tide_ ? end.depth_rate / std::max(end.depth, lattice_.dz) : 0.0;
     }
 
     /// In its stream, that is straight; the motions across it begin within one support of the channel, over
@@ -252,7 +253,7 @@ class OpenEnds final : public Component<D, Real> {
         const double grown = std::clamp(1.0 + flow.particles.position[0][i] / support_, 0.0, 1.0);
         Vec<D> u{};
         u[0] = end.velocity * relative[0] / entering_mean_ + sound_.velocity_of(0, sound_at(flow, i, true));
-        u[0] -= flow.particles.position[0][i] * spreading(flow, end);
+        u[0] -= flow.particles.position[0][i] * spreading(end);
         if constexpr (D == 3) u[1] = grown * end.velocity * relative[1] / entering_mean_;
         u[Flow::vertical] = place * end.depth_rate + grown * end.velocity * relative[2] / entering_mean_;
         return u;
@@ -279,7 +280,7 @@ class OpenEnds final : public Component<D, Real> {
         const double place = place_at_outflow(flow, i);
         Vec<D> u{};
         u[0] = leaving_.at(flow.clock.open_ends, place);
-        u[0] -= (flow.particles.position[0][i] - length_) * spreading(flow, end);
+        u[0] -= (flow.particles.position[0][i] - length_) * spreading(end);
         u[Flow::vertical] = place * end.depth_rate;
         return u;
     }
@@ -388,7 +389,8 @@ class OpenEnds final : public Component<D, Real> {
 
     Lattice lattice_;
     double length_;
-    bool falls_;  ///< over the edge of the bed at x = L
+    bool falls_;         ///< over the edge of the bed at x = L
+    bool follows_tide_;  ///< the tailwater changes
     double gravity_;
     EndFloors floors_;
     EndSections sections_;

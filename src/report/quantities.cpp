@@ -309,13 +309,13 @@ void add_passages(Table& table, const Analysis& analysis) {
     std::string furthest;  // "_5"
     for (const Finding& finding : analysis.findings) {
         const std::string& key = finding.key;
-        if (key.rfind("tailwater_", 0) == 0) furthest = key.substr(key.rfind('_'));
+        if (key.starts_with("tailwater_")) furthest = key.substr(key.rfind('_'));
     }
     for (const Finding& finding : analysis.findings) {
         const std::string& key = finding.key;
         const bool of_tide =
-            key.rfind("tailwater_", 0) == 0 && (key.ends_with("_1") || key.ends_with(furthest));
-        if (key.rfind("flood_", 0) == 0 || of_tide) add_findings(table, analysis, {{key.c_str(), ""}});
+            key.starts_with("tailwater_") && (key.ends_with("_1") || key.ends_with(furthest));
+        if (key.starts_with("flood_") || of_tide) add_findings(table, analysis, {{key.c_str(), ""}});
     }
 }
 

@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "analysis/figure_tools.hpp"
-#include "simulated_record.hpp"
+#include "passing_record.hpp"
 
 namespace riffle::flood_passage_test {
 namespace {
@@ -17,40 +17,24 @@ namespace {
 using ::testing::HasSubstr;
 
 /// A crest that goes down a channel with 1 m/s and loses 0.005 m2/s a metre, under ripples of a wave.
-class Flood : public test::SimulatedRecord {
+class Flood : public test::PassingRecord {
   public:
-    explicit Flood(const std::vector<double>& places) : SimulatedRecord({0.0, 20.0}, Case{}) {
-        flow_->channel.ends = Ends::open;
-        flow_->channel.depth = 0.1;
+    explicit Flood(const std::vector<double>& places) : PassingRecord({0.0, 20.0}) {
         flow_->channel.slope = 0.002;
         flow_->inflow.discharge_file = "hydrograph.csv";
         for (std::size_t n = 0; n < places.size(); ++n) {
-            ScalarProbe discharge;
-            discharge.name = n == 0 ? "standard_end_sections" : "gauges";
-            discharge.kind = "flow_rate";
-            discharge.quantity = "flow_rate_" + std::to_string(n == 0 ? 1 : n);
-            discharge.x = places[n];
-            ScalarProbe depth = discharge;
-            depth.quantity = "depth_" + std::to_string(n == 0 ? 1 : n);
-            for (int i = 0; i <= 1000; ++i) {
-                const double time = 0.02 * i;
-                const double away = (time - 8.0 - places[n]) / 2.0;
-                const double ripple = 0.004 * std::sin(time * 40.0);
-                discharge.time.push_back(time);
-                discharge.value.push_back(0.03 + (0.04 - 0.005 * places[n]) * std::exp(-away * away) +
-                                          ripple);
-                depth.time.push_back(time);
-                depth.value.push_back(0.06 + 0.02 * std::exp(-away * away));
-            }
-            probes_.push_back(std::move(discharge));
-            probes_.push_back(std::move(depth));
+            const double place = places[n];
+            const auto crest = [place](double time) {
+                return std::exp(-std::pow((time - 8.0 - place) / 2.0, 2));
+            };
+            add_section(
+                n == 0 ? "standard_end_sections" : "gauges", n == 0 ? 1 : n, place,
+                [=](double time) {
+                    return 0.03 + (0.04 - 0.005 * place) * crest(time) + 0.004 * std::sin(time * 40.0);
+                },
+                [=](double time) { return 0.06 + 0.02 * crest(time); });
         }
     }
-    [[nodiscard]] const std::vector<ScalarProbe>& scalar_probes() const override { return probes_; }
-    [[nodiscard]] const SpaceTime& surface() const override { return surface_; }
-
-    std::vector<ScalarProbe> probes_;
-    SpaceTime surface_;
 };
 
 TEST(FloodPassage, TellsHowLateAndHowMuchLowerTheCrestIs) {

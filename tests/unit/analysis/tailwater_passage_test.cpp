@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "simulated_record.hpp"
+#include "passing_record.hpp"
 
 namespace riffle::tailwater_passage_test {
 namespace {
@@ -17,42 +17,23 @@ using ::testing::HasSubstr;
 
 /// A tide of 20 mm every 10 s that goes up a channel of 4 m with 1 m/s and loses an eighth of its range a
 /// metre; `reach`: whether it goes further up than 3 m.
-class Tide : public test::SimulatedRecord {
+class Tide : public test::PassingRecord {
   public:
-    explicit Tide(bool reach = true) : SimulatedRecord({0.0, 40.0}, Case{}) {
-        flow_->channel.ends = Ends::open;
-        flow_->channel.depth = 0.1;
+    explicit Tide(bool reach = true) : PassingRecord({0.0, 40.0}) {
         flow_->channel.length = 4.0;
         flow_->outflow.kind = OutflowKind::depth;
         flow_->outflow.depth_file = "tide.csv";
         const std::vector<double> places = {0.0, 4.0, 2.0};
         for (std::size_t n = 0; n < places.size(); ++n) {
-            ScalarProbe discharge;
-            discharge.name = n < 2 ? "standard_end_sections" : "gauge";
-            discharge.kind = "flow_rate";
-            discharge.quantity = "flow_rate_" + std::to_string(n < 2 ? n + 1 : 1);
-            discharge.x = places[n];
-            ScalarProbe depth = discharge;
-            depth.quantity = "depth_" + std::to_string(n < 2 ? n + 1 : 1);
             const double away = 4.0 - places[n];
             const double share = n == 0 && !reach ? 0.0 : 1.0 - away / 8.0;
-            for (int i = 0; i <= 2000; ++i) {
-                const double time = 0.02 * i;
-                const double phase = 2.0 * std::numbers::pi * (time - away) / 10.0;
-                discharge.time.push_back(time);
-                discharge.value.push_back(0.01 - 0.015 * share * std::cos(phase));
-                depth.time.push_back(time);
-                depth.value.push_back(0.1 + 0.01 * share * std::sin(phase));
-            }
-            probes_.push_back(std::move(discharge));
-            probes_.push_back(std::move(depth));
+            const auto phase = [away](double time) { return 2.0 * std::numbers::pi * (time - away) / 10.0; };
+            add_section(
+                n < 2 ? "standard_end_sections" : "gauge", n < 2 ? n + 1 : 1, places[n],
+                [=](double time) { return 0.01 - 0.015 * share * std::cos(phase(time)); },
+                [=](double time) { return 0.1 + 0.01 * share * std::sin(phase(time)); });
         }
     }
-    [[nodiscard]] const std::vector<ScalarProbe>& scalar_probes() const override { return probes_; }
-    [[nodiscard]] const SpaceTime& surface() const override { return surface_; }
-
-    std::vector<ScalarProbe> probes_;
-    SpaceTime surface_;
 };
 
 TEST(TailwaterPassage, TellsHowLateAndHowMuchOfTheTideArrives) {
