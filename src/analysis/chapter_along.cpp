@@ -336,7 +336,7 @@ void analyse_along(const FlowRecord& record, Analysis& analysis) {
                                                  "discharge per unit width", "m2/s", discharge->mean,
                                                  trusted_half_width(*discharge)));
         if (find_at_end(record, fields::flow_rate.flow_rate, 1) != nullptr) {
-            analysis.findings.back().remark = changing ? "at the inflow, mean of the whole record"
+            analysis.findings.back().remark = changing ? "at the inflow, mean over the window"
                                               : space
                                                   ? "at the inflow"
                                                   : "at the inflow; velocity, Froude number and energy line "

@@ -64,7 +64,7 @@ void add_crests(const std::vector<PassingSection>& sections, bool space, Analysi
         const Crest deepest = crest_of(section.time, section.depth);
         Finding depth = make_finding(chapters::along, fmt::format("flood_depth_{}", n + 1),
                                      fmt::format("largest depth {}", place), "m", deepest.value);
-        depth.remark = "of the water above the bed level, " + crest_remark(deepest, nullptr);
+        depth.remark = "of the water over what it stands on, " + crest_remark(deepest, nullptr);
         analysis.findings.push_back(std::move(depth));
     }
 }

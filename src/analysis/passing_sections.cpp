@@ -87,7 +87,7 @@ void add_passage_figures(const FlowRecord& record, const std::vector<PassingSect
         make_figure(chapters::along, words.discharges_key, words.discharges_title,
                     words.discharges_caption + smoothing, "", make_axis("time t", "s"), axis());
     Figure depths = make_figure(chapters::along, words.depths_key, words.depths_title,
-                                "Depth of the water, without the gaps in it, above the bed level at the "
+                                "Depth of the water, without the gaps in it, over what it stands on at the "
                                 "sections of the instruments." +
                                     smoothing,
                                 "", make_axis("time t", "s"), make_axis("depth", "m"));

@@ -15,7 +15,7 @@ struct PassingSection {
     int end = 0;                    ///< 1: at the inflow, 2: at the outflow
     std::vector<double> time;       ///< s
     std::vector<double> discharge;  ///< m2/s in two dimensions, m3/s of the whole width in three
-    std::vector<double> depth;      ///< m, above the bed level; empty where it was not recorded
+    std::vector<double> depth;      ///< m, over what the water stands on; empty where it was not recorded
 };
 
 /// The sections of the instruments in their order downstream, each place once.

@@ -10,8 +10,8 @@
 #include <vector>
 
 #include "analysis/chapter_names.hpp"
-#include "analysis/figure_tools.hpp"
 #include "analysis/passing_sections.hpp"
+#include "base/interpolation.hpp"
 #include "case/end_levels.hpp"
 #include "statistics/cross_correlation.hpp"
 
@@ -34,25 +34,34 @@ Extremes extremes_of(const std::vector<double>& values) {
 
 /// How a section's depth follows the one at the outflow: the lag of the largest correlation, s, the first of
 /// those that are as good, as a tide that repeats has them; nothing where the depths have less in common. (A
-/// test of significance takes the few periods of a tide for few samples.)
-std::optional<CorrelationExtreme> following(const PassingSection& outflow, const PassingSection& section) {
+/// test of significance takes the few periods of a tide for few samples.) What lies before it by less than
+/// `stretch` (s), over which the records are smoothed, goes with it. The sections may have been recorded at
+/// times of their own.
+std::optional<CorrelationExtreme> following(const PassingSection& outflow, const PassingSection& section,
+                                            double stretch) {
     constexpr std::size_t most = 1000;
     constexpr double least_correlation = 0.5;
-    if (outflow.depth.size() != section.depth.size()) return std::nullopt;
-    const std::vector<double> cause = thinned(outflow.depth, most);
-    const std::vector<double> effect = thinned(section.depth, most);
-    if (cause.size() < 8 || extremes_of(cause).range <= 0.0 || extremes_of(effect).range <= 0.0) {
-        return std::nullopt;
+    const double begin = std::max(outflow.time.front(), section.time.front());
+    const double end = std::min(outflow.time.back(), section.time.back());
+    const std::size_t count = std::min({most, outflow.time.size(), section.time.size()});
+    const double interval = (end - begin) / static_cast<double>(count - 1);
+    if (!(interval > 0.0)) return std::nullopt;
+    std::vector<double> cause;
+    std::vector<double> effect;
+    for (std::size_t i = 0; i < count; ++i) {
+        const double time = begin + static_cast<double>(i) * interval;
+        cause.push_back(place_in(outflow.time, time).in(outflow.depth));
+        effect.push_back(place_in(section.time, time).in(section.depth));
     }
-    const double interval =
-        (section.time.back() - section.time.front()) / static_cast<double>(cause.size() - 1);
-    const std::vector<CorrelationExtreme> extremes = correlation_extremes(
-        cross_correlation(cause, effect, interval, cause.size() / 2, LagDivisor::biased));
+    if (extremes_of(cause).range <= 0.0 || extremes_of(effect).range <= 0.0) return std::nullopt;
+    const std::vector<CorrelationExtreme> extremes =
+        correlation_extremes(cross_correlation(cause, effect, interval, count / 2, LagDivisor::biased));
     std::optional<CorrelationExtreme> best;
     for (const CorrelationExtreme& e : extremes) {
-        if (!e.maximum || e.correlation < least_correlation || e.lag < -0.5 * interval) continue;
+        if (!e.maximum || e.correlation < least_correlation || e.lag < -stretch) continue;
         if (!best || e.correlation * as_good_correlation > best->correlation) best = e;
     }
+    if (best && best->lag < 0.5 * interval) best->lag = 0.0;  // nearer than two samples
     return best;
 }
 
@@ -63,13 +72,13 @@ std::string when(const PassingSection& section, std::size_t at) {
 }
 
 /// The range of the depth beside that at the outflow.
-std::string range_remark(const PassingSection& section, const PassingSection* outflow) {
+std::string range_remark(const PassingSection& section, const PassingSection* outflow, double stretch) {
     if (outflow == nullptr || outflow == &section || outflow->depth.empty()) return "";
     const double range = extremes_of(outflow->depth).range;
     if (range <= 0.0) return "the depth at the outflow has not changed";
     std::string text =
         fmt::format("{:.3g} % of that at the outflow", 100.0 * extremes_of(section.depth).range / range);
-    if (const auto follows = following(*outflow, section)) {
+    if (const auto follows = following(*outflow, section, stretch)) {
         text += follows->lag < 0.005
                     ? fmt::format(", with which it goes (correlation {:.2f})", follows->correlation)
                     : fmt::format(", which it follows by {:.2f} s (correlation {:.2f})", follows->lag,
@@ -91,8 +100,9 @@ std::string turning_remark(const PassingSection& section) {
                        section.time[static_cast<std::size_t>(turns - section.discharge.begin())]);
 }
 
-void add_section(const PassingSection& section, const PassingSection* outflow, std::size_t number, bool space,
-                 Analysis& analysis) {
+void add_section(const PassingSection& section, const PassingSection* outflow, std::size_t number,
+                 const Case& c, Analysis& analysis) {
+    const bool space = c.channel.dimensions == 3;
     const std::string place = place_of(section, "at the inflow", "at the outflow", "at ");
     const auto add = [&](const char* key, const std::string& label, const char* unit, double value,
                          std::string remark) {
@@ -104,10 +114,11 @@ void add_section(const PassingSection& section, const PassingSection* outflow, s
     if (!section.depth.empty()) {
         const Extremes depth = extremes_of(section.depth);
         add("high", "highest water", "m", section.depth[depth.most],
-            "above the bed level, " + when(section, depth.most));
+            "of the water over what it stands on, " + when(section, depth.most));
         add("low", "lowest water", "m", section.depth[depth.least],
-            "above the bed level, " + when(section, depth.least));
-        add("range", "range of the depth", "m", depth.range, range_remark(section, outflow));
+            "of the water, over what it stands on, " + when(section, depth.least));
+        add("range", "range of the depth", "m", depth.range,
+            range_remark(section, outflow, passing_stretch(c)));
     }
     const Extremes discharge = extremes_of(section.discharge);
     const char* const unit = space ? "m3/s" : "m2/s";
@@ -136,11 +147,10 @@ constexpr PassageFigures tailwater_figures = {
 
 void add_tailwater_passage(const FlowRecord& record, Analysis& analysis) {
     if (record.flow() == nullptr || !tailwater_changes(*record.flow())) return;
-    const bool space = record.flow()->channel.dimensions == 3;
     const std::vector<PassingSection> sections = passing_sections(record);
     const PassingSection* const outflow = section_at_end(sections, 2);
     for (std::size_t n = 0; n < sections.size(); ++n) {
-        add_section(sections[n], outflow, n + 1, space, analysis);
+        add_section(sections[n], outflow, n + 1, *record.flow(), analysis);
     }
     // A flood that comes with it has these figures.
     if (!inflow_changes(*record.flow())) add_passage_figures(record, sections, tailwater_figures, analysis);

@@ -81,7 +81,7 @@ SectionKeys inflow_keys() {
             .at_least(0)
             .unset_by(
                 "auto",
-                "5 sqrt(H / g), and no longer than that of an outflow with a `depth_file`; in a duct 0.1 L / U_max"));
+                "5 sqrt(H / g), and no longer than the default one of an outflow with a `depth_file`; in a duct 0.1 L / U_max"));
     return s;
 }
 

@@ -87,8 +87,9 @@ void print_summary(const Case& c, const ColumnResult& r) {
         print_row("e-folding time of the approach to it", "s", r.relaxation_time);
     }
     if (r.log_law.valid) {
-        fmt::print("\nLog-law fit from the crest, z = {} m, to {} m over the bed level.\n",
-                   printed_number(r.log_law.from), printed_number(r.log_law.to));
+        fmt::print("\nLog-law fit from {}z = {} m to {} m over the bed level.\n",
+                   r.log_law.from == c.crest() ? "the crest, " : "", printed_number(r.log_law.from),
+                   printed_number(r.log_law.to));
     }
     fmt::print("{}Wide channel: the hydraulic radius is the depth over the datum.\n",
                r.log_law.valid ? "" : "\n");

@@ -7,6 +7,7 @@
 #include <set>
 
 #include "base/error.hpp"
+#include "base/parallel.hpp"
 #include "cli/case_argument.hpp"
 #include "cli/run_arguments.hpp"
 #include "cli/run_display.hpp"
@@ -108,6 +109,9 @@ void conclude(const SweepVerb& verb, const std::vector<SweepRun>& runs, const st
 
 void sweep(const SweepVerb& verb) {
     const std::vector<Outcome> outcomes = chosen_outcomes(verb.outcomes);
+    // The runs are forks of this process, which may have no threads until the last of them is there; each has
+    // its own. To read the water of another run takes loops.
+    set_thread_count(1);
     const SweepInput input = input_of(verb);
     const std::vector<SweepRun> runs = read_matrix(input);
     for (const SweepRun& run : runs) verb.argument.check_size_of(run.flow);
@@ -134,6 +138,7 @@ void sweep(const SweepVerb& verb) {
     };
     const std::vector<RunReport> reports = carry_out(runs, look(), options);
     display.clear();
+    set_thread_count(verb.options.threads);
     const SweepStudy study = study_sweep(input, runs, reports, outcomes, verb.outcomes.empty());
     const SweepFiles files{input.folder};
     write_sweep(study, files);

@@ -11,8 +11,8 @@
 
 namespace riffle::inline components {
 
-/// What is seen of the water beside the open ends, inside of the channel: means under a hat of two kernel
-/// supports, so that a row of evenly spaced particles counts alike wherever it stands under it.
+/// What is seen of the water beside the open ends, inside of the channel: means under a hat of
+/// watched_stretch(), so that a row of evenly spaced particles counts alike wherever it stands under it.
 template <int D, class Real>
 class EndWatch {
   public:

@@ -366,6 +366,7 @@ class OpenEnds final : public Component<D, Real> {
         OpenEndsState& state = flow.clock.open_ends;
         const EndState& end = state.upstream;
         go_to_now(flow);
+        if (flow.clock.steps > 0) leaving_.go_on(state);  // after a restore it knows nothing of the last step
         const auto add = [&](const std::vector<Vec<D>>& places, bool entering, const auto& velocity) {
             const EndState& section = entering ? state.upstream : state.downstream;
             const auto pressure = [&](std::size_t i) {

@@ -9,6 +9,7 @@
 #include "base/error.hpp"
 #include "case/end_levels.hpp"
 #include "case/units.hpp"
+#include "case/words.hpp"
 #include "laboratory/profile_record.hpp"
 
 namespace riffle::inline ends {
@@ -47,7 +48,43 @@ Holding holding_of(const Case& c) {
     return {};
 }
 
+/// Times at which what tables say is looked at, s: of their rows and between two of them too, for a rating
+/// curve has rows of its own, and the critical depth is no straight line.
+std::vector<double> times_to_look_at(const Case& c, const EndInput& input) {
+    std::vector<double> rows = times_of_tables(c, input);
+    std::sort(rows.begin(), rows.end());
+    constexpr int parts = 50;
+    std::vector<double> times{rows.front()};
+    for (std::size_t i = 0; i + 1 < rows.size(); ++i) {
+        for (int part = 1; part <= parts; ++part) {
+            times.push_back(rows[i] + (rows[i + 1] - rows[i]) * part / parts);
+        }
+    }
+    return times;
+}
+
+constexpr double nearly_critical = 1e-3;  // of the critical depth
+
 }  // namespace
+
+void require_supercritical_inflow(const Case& c, const EndInput& input, double floor) {
+    // One depth with one discharge is refused with the case.
+    const bool by_file = !c.inflow.discharge_file.empty() || !c.inflow.depth_file.empty();
+    if (!by_file || !input.unit_discharge || !input.inflow_depth) return;
+    for (const double time : times_to_look_at(c, input)) {
+        const double depth = input.inflow_depth->at(time);
+        const double discharge = input.unit_discharge->at(time);
+        const double critical = critical_depth_of(c.normal_gravity(), discharge);
+        if (depth <= (1.0 + nearly_critical) * critical) continue;
+        const auto level = [&](double over_floor) { return shown_length(over_floor + floor - c.datum()); };
+        throw FileError(fmt::format(
+            "{}: at t = {:.4g} s the depth of {} is above the critical one of the discharge of {:.4g} m2/s, {}: "
+            "subcritical flow takes one of depth and discharge from downstream; remove one of them from [inflow], and "
+            "the other follows, or give depths at which the water shoots at all times of the run",
+            (c.inflow.depth_file.empty() ? c.inflow.discharge_file : c.inflow.depth_file).string(), time,
+            level(depth), discharge, level(critical)));
+    }
+}
 
 void require_profile_in_water(const Case& c, double floor) {
     if (c.inflow.profile != InflowProfile::file) return;
@@ -69,16 +106,7 @@ void require_profile_in_water(const Case& c, double floor) {
 void require_subcritical_outflow(const Case& c, const EndInput& input, double floor) {
     const Holding holding = holding_of(c);
     if (holding.what.empty() || !input.unit_discharge || !input.outflow_depth) return;
-    std::vector<double> rows = times_of_tables(c, input);
-    std::sort(rows.begin(), rows.end());
-    // Between two rows too: a rating curve has rows of its own, and the critical depth is no straight line.
-    constexpr int parts = 50;
-    std::vector<double> times{rows.front()};
-    for (std::size_t i = 0; i + 1 < rows.size(); ++i) {
-        for (int part = 1; part <= parts; ++part) {
-            times.push_back(rows[i] + (rows[i + 1] - rows[i]) * part / parts);
-        }
-    }
+    std::vector<double> times = times_to_look_at(c, input);
     const auto critical_at = [&](double time) {
         return critical_depth_of(c.normal_gravity(), input.unit_discharge->at(time));
     };
@@ -92,8 +120,7 @@ void require_subcritical_outflow(const Case& c, const EndInput& input, double fl
     const double worst = *std::min_element(times.begin(), times.end(), [&](double a, double b) {
         return held_at(a) * critical_at(b) < held_at(b) * critical_at(a);
     });
-    constexpr double rounding = 1e-3;
-    if (held_at(worst) >= (1.0 - rounding) * critical_at(worst)) return;
+    if (held_at(worst) >= (1.0 - nearly_critical) * critical_at(worst)) return;
     const auto level = [&](double over_floor) { return shown_length(over_floor + floor - c.datum()); };
     const std::string message = fmt::format(
         "{} holds {} at the discharge of {:.4g} m2/s (t = {:.4g} s), whose critical depth is {}: water leaves at "
@@ -103,6 +130,33 @@ void require_subcritical_outflow(const Case& c, const EndInput& input, double fl
         level(critical_at(worst)), holding.cure);
     if (holding.by_file) throw FileError(message);
     throw InputError(message);
+}
+
+void require_room(const Case& c, const std::filesystem::path& file, const std::string& what, double level) {
+    const double room = level_with_room(c);
+    if (level > room) {
+        throw FileError(fmt::format(
+            "{}: {} {} over the bed; the channel has room for {}, four times its depth; give [channel] depth at "
+            "least {}, and the water of the start by start.water_x and start.water_z where it is lower",
+            file.string(), what, shown_length(level - c.datum()), shown_length(room - c.datum()),
+            shown_length(level / room * std::max(c.total_depth(), highest_end_level(c)) - c.datum())));
+    }
+}
+
+void require_room_for_rule(const Case& c, const EndInput& input, double floor) {
+    if (!input.outflow_depth || !input.unit_discharge) return;
+    double largest = 0.0;
+    for (const double time : times_of_tables(c, input)) {
+        largest = std::max(largest, input.unit_discharge->at(time));
+    }
+    const bool rated = c.outflow.kind == OutflowKind::rating_curve;
+    const std::filesystem::path& asking = rated                             ? c.outflow.rating_file
+                                          : c.inflow.discharge_file.empty() ? c.path
+                                                                            : c.inflow.discharge_file;
+    require_room(c, asking,
+                 fmt::format("[outflow] kind = \"{}\" holds, at the largest discharge, {:.4g} m2/s,",
+                             word(c.outflow.kind), largest),
+                 input.outflow_depth(largest, 0.0) + floor);
 }
 
 }  // namespace riffle::inline ends

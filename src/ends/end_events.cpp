@@ -17,6 +17,11 @@ constexpr int most_times = 5;            // that an event is told
 
 }  // namespace
 
+void EndEvents::go_on(const OpenEndsState& ends) {
+    wetted_ = true;
+    (void)news(ends, 0.0);
+}
+
 std::vector<std::string> EndEvents::news(const OpenEndsState& ends, double time) {
     std::vector<std::string> told;
     if (!ends.begun) return told;
@@ -29,14 +34,24 @@ std::vector<std::string> EndEvents::news(const OpenEndsState& ends, double time)
 
     const EndState& out = ends.downstream;
     const bool is_wet = out.watched_depth > wet_again * least_depth_;
+    const bool was_wetted = wetted_;
     wetted_ = wetted_ || is_wet;
     change(
-        dry_, wetted_ && out.watched_depth < least_depth_, is_wet,
+        dry_, (wetted_ || holds_) && out.watched_depth < least_depth_, is_wet,
         [&] {
-            return fmt::format(
-                "the outflow ran dry at t = {:.4g} s: less than a row of particles is left there", time);
+            return wetted_
+                       ? fmt::format(
+                             "the outflow ran dry at t = {:.4g} s: less than a row of particles is left there",
+                             time)
+                       : fmt::format(
+                             "the outflow is dry at t = {:.4g} s: it holds the depth of [outflow] from when "
+                             "water reaches it, and lets none in before",
+                             time);
         },
-        [&] { return fmt::format("there is water at the outflow again at t = {:.4g} s", time); });
+        [&] {
+            return fmt::format("there is water at the outflow{} at t = {:.4g} s", was_wetted ? " again" : "",
+                               time);
+        });
 
     const double swing = back_share * wave_speed(gravity_, out.depth);
     const bool leaves = out.velocity > swing;

@@ -8,12 +8,18 @@
 namespace riffle::inline ends {
 
 /// What happens at the open ends of a channel that whoever runs it should know of: the outflow runs dry, or
-/// water comes in through it; a jump reaches the inflow, and what enters is not the shooting flow that the
-/// case gives. Each is told when it begins and when it is over, the first times that it happens.
+/// waits for water to hold, or water comes in through it; a jump reaches the inflow, and what enters is not
+/// the shooting flow that the case gives. Each is told when it begins and when it is over, the first times
+/// that it happens.
 class EndEvents {
   public:
-    /// `gravity`: normal to the bed, m/s2; `least_depth`: that of a film or a drop, m.
-    EndEvents(double gravity, double least_depth) : gravity_(gravity), least_depth_(least_depth) {}
+    /// `gravity`: normal to the bed, m/s2; `least_depth`: that of a film or a drop, m; `holds`: whether the
+    /// case gives the depth at the outflow.
+    EndEvents(double gravity, double least_depth, bool holds)
+        : gravity_(gravity), least_depth_(least_depth), holds_(holds) {}
+
+    /// Go on with ends that have been restored: what lasts there has been told.
+    void go_on(const OpenEndsState& ends);
 
     /// Sentences about what has changed since the last call; `time` in s.
     [[nodiscard]] std::vector<std::string> news(const OpenEndsState& ends, double time);
@@ -26,8 +32,9 @@ class EndEvents {
 
     double gravity_;
     double least_depth_;
+    bool holds_;
     bool wetted_ = false;  ///< there has been water at the outflow
-    Event dry_;            ///< there is none any more
+    Event dry_;            ///< there is none any more, or none yet to hold
     Event reversed_;       ///< water comes in through the outflow
     Event drowned_;        ///< deeper water stands at a supercritical inflow
 };

@@ -3,6 +3,8 @@
 #include <cmath>
 #include <functional>
 
+#include "case/end_buffers.hpp"
+#include "case/end_levels.hpp"
 #include "case/flow_kind.hpp"
 #include "case/units.hpp"
 #include "ends/flow_at_ends.hpp"
@@ -113,8 +115,10 @@ std::string inflow_text(const Case& c, const FlowAtEnds& states) {
 std::string holding_text(const Case& c, const FlowAtEnds& states) {
     if (!states.held_depth) return "";
     if (states.held_depth->changes()) {
-        return fmt::format("; it follows that in some {:.3g} s (outflow.relaxation_time)",
-                           states.holding_time);
+        const char* const following =
+            tailwater_changes(c) ? "a change by the file is followed at once, any other departure goes"
+                                 : "it follows that";
+        return fmt::format("; {} in some {:.3g} s (outflow.relaxation_time)", following, states.holding_time);
     }
     if (c.outflow.relaxation_time || c.run.until != RunUntil::time) return "";
     constexpr double enough = 2.0;  // times e
@@ -220,6 +224,23 @@ std::string characteristic_text(const Case& c, const FlowAtEnd& end) {
     return text;
 }
 
+/// Where the water rises so high over the depth of the case that the stretch over which it is watched is a
+/// small share of it: the ends then feed its swings.
+std::string watched_text(const Case& c, const FlowAtEnds& states) {
+    if (is_duct(c)) return "";
+    double highest = c.channel.depth;
+    if (states.inflow.depth) highest = std::max(highest, states.inflow.depth->largest);
+    if (states.held_depth) highest = std::max(highest, states.held_depth->largest);
+    const double share = watched_stretch(c) / (highest + c.datum());
+    constexpr double steady_share = 0.15;  // from which on no swing grew (docs/theory.md 20)
+    if (share >= steady_share) return "";
+    return fmt::format(
+        "over {} beside each end, {:.2g} of the highest water, {}: below {:.2g} the discharge may swing; give "
+        "[channel] depth at least {}, and the water of the start by start.water_x and start.water_z",
+        shown_length(watched_stretch(c)), share, shown_length(highest), steady_share,
+        shown_length(steady_share / least_watched_share * (highest + c.datum()) - c.datum()));
+}
+
 }  // namespace
 
 std::vector<EndFact> end_facts(const Case& c, const FlowAtEnds& states) {
@@ -234,6 +255,9 @@ std::vector<EndFact> end_facts(const Case& c, const FlowAtEnds& states) {
     } else if (!at_inflow.empty()) {
         facts.push_back({"of it at the inflow", at_inflow});
         facts.push_back({"of it at the outflow", at_outflow});
+    }
+    if (const std::string watched = watched_text(c, states); !watched.empty()) {
+        facts.push_back({"watched", watched});
     }
     if (states.reynolds) {
         facts.push_back(

@@ -126,18 +126,6 @@ std::shared_ptr<const EnteringFlow> entering_flow(const Case& c,
     return profile({});
 }
 
-/// Throws FileError where a file asks for a level that the domain has no room for.
-void require_room(const Case& c, const std::filesystem::path& file, const std::string& what, double level) {
-    const double room = level_with_room(c);
-    if (level > room) {
-        throw FileError(fmt::format(
-            "{}: {} {} over the bed; the channel has room for {}, four times its depth; give [channel] depth at "
-            "least {}, and the water of the start by start.water_x and start.water_z where it is lower",
-            file.string(), what, shown_length(level - c.datum()), shown_length(room - c.datum()),
-            shown_length(level / room * std::max(c.total_depth(), highest_end_level(c)) - c.datum())));
-    }
-}
-
 /// The depths that an outflow holds in time, over its floor.
 TimeTable outflow_table(const Case& c, double floor) {
     TimeTable table = depth_table(c, c.outflow.depth, c.outflow.depth_file, floor);
@@ -240,32 +228,6 @@ void add_duct(const Case& c, double floor, EndInput& input) {
     input.relaxation_time = c.outflow.relaxation_time.value_or(time);
 }
 
-/// The depth to which a discharge shoots off between the ends, where the channel is so steep that uniform
-/// flow is supercritical: that of uniform flow over the faster bed of both ends, without the side walls'
-/// drag; where nothing holds the water back, neither bed nor outflow, that of its free fall along the
-/// channel. Infinite on a mild slope.
-double shooting_depth(const Case& c, double q) {
-    const double critical = critical_depth_of(c.normal_gravity(), q);
-    double depth = std::numeric_limits<double>::infinity();
-    if (!(c.streamwise_gravity() > 0.0) || !(q > 0.0)) return depth;
-    for (const double place : {0.0, c.channel.length}) {
-        Case bed = with_bed_at(c, place);
-        bed.channel.sides = Sides::periodic;
-        bed.channel.dimensions = 2;
-        bed.bed_patches.clear();
-        if (!channel_resists(bed)) {
-            if (c.outflow.kind != OutflowKind::free && c.outflow.kind != OutflowKind::free_fall) continue;
-            const double begin = q / critical;
-            const double fall = 2.0 * c.streamwise_gravity() * c.channel.length;
-            depth = std::min(depth, q / std::sqrt(begin * begin + fall));
-        } else if (!resolves_eddies(c) && critical > 2.0 * c.datum() &&
-                   uniform_discharge_at(bed, critical - c.datum()) > q) {
-            depth = std::min(depth, UniformRating(bed).depth(q) + c.datum());
-        }
-    }
-    return depth;
-}
-
 }  // namespace
 
 EndInput read_end_levels(const Case& c) {
@@ -295,10 +257,12 @@ EndInput read_end_levels(const Case& c) {
             };
         } else {
             input.outflow_depth = outflow_rule(c, input.unit_discharge, floors.downstream);
+            require_room_for_rule(c, input, floors.downstream);
         }
         const EndRelaxation times = end_relaxation(c, input.outflow_table);
         input.inflow_relaxation_time = times.inflow;
         input.relaxation_time = times.outflow;
+        require_supercritical_inflow(c, input, floors.upstream);
         require_subcritical_outflow(c, input, floors.downstream);
         require_profile_in_water(c, floors.upstream);
     }
@@ -317,39 +281,6 @@ double start_unit_discharge(const Case& c, const EndInput& input) {
     if (input.unit_discharge) return input.unit_discharge->at(0.0);
     const bool has_twin = channel_or_walls_resist(c) && !resolves_eddies(c);
     return c.streamwise_gravity() > 0.0 && has_twin ? uniform_unit_discharge(c) : 0.0;
-}
-
-EndExtremes end_extremes(const Case& c, const EndInput& input) {
-    const double g = c.normal_gravity();
-    const double q = input.unit_discharge ? input.unit_discharge->largest() : start_unit_discharge(c, input);
-    const EndFloors floors = end_floors(c);
-    const double floor = std::max(floors.upstream, floors.downstream);
-    EndExtremes extremes{.depth = c.total_depth(), .velocity = 0.0};
-    double least_depth = c.total_depth() - floor;
-    if (is_duct(c)) {
-        extremes.velocity = std::max({input.entering->largest() * q / least_depth, input.jet_velocity,
-                                      c.start.velocity.value_or(0.0)});
-        return extremes;
-    }
-    if (input.inflow_depth) {
-        extremes.depth = std::max(extremes.depth, floors.upstream + input.inflow_depth->largest());
-        least_depth = std::min(least_depth, input.inflow_depth->smallest());
-    }
-    if (c.outflow.kind == OutflowKind::depth) {
-        extremes.depth = std::max(extremes.depth, floors.downstream + input.outflow_depth(q, 0.0));
-    } else if (input.outflow_depth) {
-        const double depth = input.outflow_depth(q, 0.0);
-        extremes.depth = std::max(extremes.depth, floors.downstream + depth);
-        least_depth = std::min(least_depth, depth);
-    }
-    // Water that rises to carry a flood moves no faster than critical flow, unless it comes in so.
-    const double critical = critical_depth_of(g, q);
-    extremes.depth = std::max(extremes.depth, floor + critical);
-    const double shallow =
-        input.inflow_depth ? least_depth : std::min(std::max(least_depth, critical), shooting_depth(c, q));
-    extremes.velocity = std::max(shallow > 0.0 ? input.entering->largest() * q / shallow : 0.0,
-                                 c.start.velocity.value_or(0.0));
-    return extremes;
 }
 
 std::function<double(double)> start_depths(const Case& c, const EndInput& input) {

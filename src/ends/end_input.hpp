@@ -38,13 +38,6 @@ struct EndInput {
 /// its bed; 0 where that is not known either.
 [[nodiscard]] double start_unit_discharge(const Case& c, const EndInput& input);
 
-/// Largest total depth and largest velocity that the case gives at its ends or its start.
-struct EndExtremes {
-    double depth = 0.0;
-    double velocity = 0.0;
-};
-[[nodiscard]] EndExtremes end_extremes(const Case& c, const EndInput& input);
-
 /// The beginning and the end of a run, and the times between them of all rows of the tables that its ends
 /// have, in no order: between two of them each table only rises or only falls.
 [[nodiscard]] std::vector<double> times_of_tables(const Case& c, const EndInput& input);

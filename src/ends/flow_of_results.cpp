@@ -8,6 +8,7 @@
 #include <filesystem>
 #include <mutex>
 #include <numeric>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -159,7 +160,13 @@ void require_flowing(const Case& c, const RecordedWater& water) {
     }
 }
 
-std::shared_ptr<const RecordedFlow> read(const Case& c) {
+/// The water of another run, and its case.
+struct Recording {
+    std::shared_ptr<const RecordedFlow> flow;
+    std::optional<Case> of;
+};
+
+Recording read(const Case& c) {
     const RunResults results(c.inflow.results);
     const Case& other = results.flow();
     require_fitting(c, other);
@@ -198,7 +205,7 @@ std::shared_ptr<const RecordedFlow> read(const Case& c) {
         }
     }
     require_flowing(c, water);
-    return std::make_shared<const RecordedFlow>(std::move(water));
+    return {std::make_shared<const RecordedFlow>(std::move(water)), other};
 }
 
 }  // namespace
@@ -213,18 +220,19 @@ std::shared_ptr<const RecordedFlow> recorded_flow(const Case& c) {
     };
     static std::mutex mutex;
     static Key key;
-    static std::shared_ptr<const RecordedFlow> kept;
+    static Recording kept;
     const std::scoped_lock lock(mutex);
     std::error_code none;
     Key asked{std::filesystem::absolute(c.inflow.results, none),
               std::filesystem::last_write_time(c.inflow.results, none),
               fmt::format("{} {} {:.17g} {:.17g}", c.channel.dimensions, word(c.channel.sides),
                           c.channel.width, c.inflow.results_from.value_or(-1.0))};
-    if (!kept || asked != key) {
+    if (!kept.flow || asked != key) {
         kept = read(c);
         key = std::move(asked);
     }
-    return kept;
+    require_fitting(c, *kept.of);
+    return kept.flow;
 }
 
 }  // namespace riffle::inline ends

@@ -15,13 +15,17 @@ void LeavingProfile::clear(const OpenEndsState& state) {
 
 void LeavingProfile::finish(OpenEndsState& state, double speed, double dt) {
     const double share = std::min(1.0, dt * speed / depth_);
-    double mean = 0.0;
     for (std::size_t bin = 0; bin < state.leaving.size(); ++bin) {
         if (weight_[bin] > 0.0) {
             state.leaving[bin] += share * (flux_[bin] / weight_[bin] - state.leaving[bin]);
         }
-        mean += state.leaving[bin] / static_cast<double>(state.leaving.size());
     }
+    go_on(state);
+}
+
+void LeavingProfile::go_on(const OpenEndsState& state) {
+    double mean = 0.0;
+    for (const double velocity : state.leaving) mean += velocity / static_cast<double>(state.leaving.size());
     const double wanted = state.downstream.velocity;
     const bool turns = mean * wanted <= 0.0 || std::abs(wanted) > 2.0 * std::abs(mean);
     factor_ = turns ? 1.0 : wanted / mean;

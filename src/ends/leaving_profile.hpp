@@ -26,6 +26,8 @@ class LeavingProfile {
     /// (m/s). The mean of the profile is then that of the section: by a factor, so that slow water stays
     /// slow, unless the flow turns.
     void finish(OpenEndsState& state, double speed, double dt);
+    /// Go on with the profile of a state that has been restored.
+    void go_on(const OpenEndsState& state);
 
     /// Velocity along the channel at z/h. While the flow as a whole leaves, none of it comes back: nothing
     /// would be there to come.

@@ -27,12 +27,19 @@ void for_each_amount(Ledger& ledger, const F& f) {
 
 constexpr std::size_t fixed_numbers = 25;
 
-/// A count among numbers of a state.
-std::size_t count_of(double number) {
-    if (!(number >= 0.0 && number < 9e15 && number == std::floor(number))) {
+/// A balance of particles among numbers of a state.
+std::int64_t balance_of(double number) {
+    if (!(std::abs(number) < 9e15 && number == std::floor(number))) {
         throw std::invalid_argument("a count of the open ends is no whole number");
     }
-    return static_cast<std::size_t>(number);
+    return static_cast<std::int64_t>(number);
+}
+
+/// A count among numbers of a state.
+std::size_t count_of(double number) {
+    const std::int64_t count = balance_of(number);
+    if (count < 0) throw std::invalid_argument("a count of the open ends is below zero");
+    return static_cast<std::size_t>(count);
 }
 
 }  // namespace
@@ -64,17 +71,14 @@ OpenEndsState OpenEndsState::from(const std::vector<double>& numbers) {
     const auto take = [&](double& number) { number = numbers[next++]; };
     std::array<double, 4> whole{};
     take(state.travel);
-    for (double& number : whole) {
-        take(number);
-        (void)count_of(number);
-    }
-    state.rows = static_cast<int>(whole[0]);
-    state.ledger.entered = static_cast<std::int64_t>(whole[1]);
-    state.ledger.left = static_cast<std::int64_t>(whole[2]);
+    for (double& number : whole) take(number);
+    state.rows = static_cast<int>(count_of(whole[0]));
+    state.ledger.entered = balance_of(whole[1]);
+    state.ledger.left = static_cast<std::int64_t>(count_of(whole[2]));
+    const std::size_t bins = count_of(whole[3]);
     for_each_amount(state.ledger, take);
     for_each_number(state.upstream, take);
     for_each_number(state.downstream, take);
-    const auto bins = static_cast<std::size_t>(whole[3]);
     if (bins > numbers.size() - next) {
         throw std::invalid_argument("the profile of the water that leaves is cut off");
     }

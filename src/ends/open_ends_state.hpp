@@ -9,7 +9,9 @@ namespace riffle::inline ends {
 
 /// What crosses the ends of the simulated water, all in all: an account of each particle.
 struct EndsLedger {
-    std::int64_t entered = 0;   ///< particles made
+    /// Particles made before the inflow less those taken out there, unentered: below zero where the water of
+    /// the start was drawn back.
+    std::int64_t entered = 0;
     std::int64_t left = 0;      ///< particles taken out
     double mass_entered = 0.0;  ///< kg; in two dimensions per width, kg/m
     double mass_left = 0.0;

@@ -88,6 +88,15 @@ TimeTable read_time_table(const std::filesystem::path& path, const std::vector<T
         throw FileError(fmt::format("{}: the table begins at {:g} s, but the run at 0; add a row for t = 0",
                                     path.string(), table.first.front()));
     }
+    // What was before the run sets none of its numerics.
+    while (table.first.size() > 1 && table.first[1] <= 0.0) {
+        table.first.erase(table.first.begin());
+        table.second.erase(table.second.begin());
+    }
+    if (table.first.front() < 0.0 && table.first.size() > 1) {
+        table.second.front() = place_in(table.first, 0.0).in(table.second);
+        table.first.front() = 0.0;
+    }
     return {std::move(table.first), std::move(table.second)};
 }
 

@@ -45,7 +45,8 @@ struct TwoColumns {
 [[nodiscard]] TwoColumns read_two_columns(const std::filesystem::path& path, const TableColumn& first,
                                           const std::vector<TableColumn>& others, double least);
 
-/// A table in time from a file. Throws FileError as read_two_columns, and where it begins after t = 0: what
+/// A table in time from a file, from t = 0 on: rows before it are left out, those after the end of a run are
+/// kept, for it may be prolonged. Throws FileError as read_two_columns, and where it begins after t = 0: what
 /// is before its first row is not known.
 [[nodiscard]] TimeTable read_time_table(const std::filesystem::path& path,
                                         const std::vector<TableColumn>& columns, double least);

@@ -8,6 +8,7 @@
 #include "boundary/wall_motion.hpp"
 #include "case/flow_kind.hpp"
 #include "case/outline_check.hpp"
+#include "ends/end_extremes.hpp"
 #include "ends/end_input.hpp"
 #include "engine/energy_spectrum.hpp"
 #include "particles/lattice.hpp"

@@ -152,7 +152,7 @@ struct FlowRate {
     Field flow_rate =
         at_points(groups::flow_rate, "flow_rate", {"m2/s", "m3/s"},
                   {"discharge per unit width through the section", "discharge through the section"});
-    Field depth = at_points(groups::flow_rate, "depth", "m", "depth of the water above the bed level",
+    Field depth = at_points(groups::flow_rate, "depth", "m", "depth of the water over what it stands on",
                             {.reader = Reader::users});
     Field momentum_flux = at_points(groups::flow_rate, "momentum_flux", {"N/m", "N"},
                                     {"flux of momentum along the channel through the section per unit width",

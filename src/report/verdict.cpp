@@ -219,7 +219,7 @@ void judge_tailwater(const std::vector<SummaryRow>& quantities, Verdict& verdict
 
 void judge_bodies(const ReportData& data, const std::vector<SummaryRow>& quantities, Verdict& verdict) {
     const bool bodies_stand = !data.flow.solids.empty();
-    std::string text = changes_at_ends(data.flow) ? "Means of the whole record:"
+    std::string text = changes_at_ends(data.flow) ? "Means over the window:"
                        : bodies_stand             ? "Mean flow around the bodies:"
                                                   : "Mean flow along the channel:";
     const char* joint = " ";

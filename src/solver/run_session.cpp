@@ -88,7 +88,8 @@ RunSession<D>::RunSession(Case c, RunOptions options, const FolderLock& lock)
     relaxation_time_ = tested_relaxation_time(case_, twins_).value_or(0.0);
     convergence_.reason = is_tested() ? "not yet tested for convergence" : reason_without_test(case_);
     if (case_.channel.ends == Ends::open && !is_duct(case_)) {
-        end_events_.emplace(case_.normal_gravity(), lattice_of(case_).dz);
+        end_events_.emplace(case_.normal_gravity(), lattice_of(case_).dz,
+                            case_.outflow.kind == OutflowKind::depth);
     }
 }
 
@@ -185,6 +186,7 @@ void RunSession<D>::restore(const std::filesystem::path& checkpoint,
         // from a results file that is gone must not stop a resume.
         make_simulation_of_case(false);
         restore_state(saved, *simulation_);
+        if (end_events_) end_events_->go_on(simulation_->clock().open_ends);
         tell_of_past_end();
         recorder_->restore(saved, results);
         require_rows(results, recorder_->rows(), recorder_->snapshots().entries().size());

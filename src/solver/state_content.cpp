@@ -21,6 +21,7 @@
 #include "solver/recorder.hpp"
 #include "solver/recycled_start.hpp"
 #include "solver/start.hpp"
+#include "solver/start_perturbation.hpp"
 
 namespace riffle::inline solver {
 
@@ -340,6 +341,7 @@ std::unique_ptr<SimulationIn<D>> simulation_from_results(const Case& c, const Co
     }
     const Case other = parse_case(results.read_string(fields::stored_case.text.path()), file_name);
     Particles<D> particles = particles_from_results<D>(c, other, scheme, results, file_name);
+    perturb_velocity(c, particles);
     const std::vector<FreeBodyState> bodies = bodies_from_results(c, other, results, file_name);
     refuse_water_in_new_solids(c, other, particles, file_name);
     // The walls stand where the bodies are before the water is looked at.

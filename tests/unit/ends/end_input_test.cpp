@@ -10,6 +10,7 @@
 
 #include "base/error.hpp"
 #include "column/column.hpp"
+#include "ends/end_extremes.hpp"
 #include "ends/narrowest_opening.hpp"
 #include "ends/section_state.hpp"
 #include "particles/lattice.hpp"
@@ -263,6 +264,63 @@ TEST_F(EndFiles, WhatRisesOverTheDomainIsRefused) {
     EXPECT_THAT(message_of(c), ::testing::HasSubstr("shallow.csv: it holds 20 mm"));
     c.outflow.depth_file = write("right.csv", "time [s],depth [mm]\n0,60\n9,40\n");
     EXPECT_EQ(message_of(c), "");
+}
+
+// What a rule holds must have room as well as what a table says.
+TEST_F(EndFiles, WhatARuleHoldsMustHaveRoom) {
+    Case c = open_case("[inflow]\nunit_discharge = \"0.02 m2/s\"\n[outflow]\nkind = \"free\"\n");
+    c.outflow.kind = OutflowKind::rating_curve;
+    // Millimetres without their unit: 60 m.
+    c.outflow.rating_file = write("metres.csv", "depth,unit_discharge\n20,0\n60,0.02\n");
+    EXPECT_THAT(message_of(c),
+                ::testing::AllOf(::testing::HasSubstr("metres.csv: [outflow] kind = \"rating-curve\""),
+                                 ::testing::HasSubstr("has room for")));
+    // The normal depth of a flood in a flat channel, whose critical depth of 0.13 m has room.
+    c = free_channel_of_a_file();
+    c.outflow.kind = OutflowKind::normal_depth;
+    c.inflow.discharge_file = write("flood.csv", "time,unit_discharge\n0,0.02\n9,0.15\n");
+    EXPECT_EQ(message_of(c), "");
+    c.channel.slope = 0.0004;
+    EXPECT_THAT(message_of(c),
+                ::testing::AllOf(::testing::HasSubstr("flood.csv: [outflow] kind = \"normal-depth\""),
+                                 ::testing::HasSubstr("has room for")));
+}
+
+// Of subcritical water depth or discharge comes from downstream, at each moment.
+TEST_F(EndFiles, DepthAndDischargeOfASlowInflowAreRefused) {
+    Case c = free_channel_of_a_file();
+    // Critical depths of 34 and 55 mm.
+    c.inflow.discharge_file = write("flood.csv", "time,unit_discharge\n0,0.02\n9,0.04\n");
+    c.inflow.depth = 0.04;
+    EXPECT_THAT(message_of(c), ::testing::HasSubstr("flood.csv: at t = 0 s the depth of 40 mm is above"));
+    c.inflow.depth = 0.028;
+    EXPECT_EQ(message_of(c), "");
+    c.inflow.depth.reset();
+    c.inflow.depth_file = write("depths.csv", "time [s],depth [mm]\n0,28\n9,28\n");
+    EXPECT_EQ(message_of(c), "");
+    c.inflow.depth_file = write("rises.csv", "time [s],depth [mm]\n0,20\n3,60\n6,20\n");
+    EXPECT_THAT(message_of(c), ::testing::HasSubstr("rises.csv: at t = "));
+}
+
+// The speed of sound is that of the highest water that a table brings; what was before the run is forgotten.
+TEST_F(EndFiles, AllRowsFromTheStartOnSetTheNumerics) {
+    Case c =
+        open_case("[inflow]\nunit_discharge = \"0.002 m2/s\"\n[outflow]\nkind = \"depth\"\ndepth = 0.05\n");
+    EXPECT_NEAR(end_extremes(c, read_end_input(c)).depth, c.total_depth(), 1e-12);
+    const double held = read_end_input(c).relaxation_time;
+    c.outflow.depth.reset();
+    c.outflow.depth_file = write("rise.csv", "time [s],depth [mm]\n0,50\n20,150\n");
+    EXPECT_NEAR(end_extremes(c, read_end_input(c)).depth, 0.15 + c.datum(), 1e-12);
+    // A fall and a rise before the run.
+    c.outflow.depth_file =
+        write("before.csv", "time [s],depth [mm]\n-9,150\n-8,30\n-7.9,60\n-2,50\n-1,50\n10,50\n");
+    EXPECT_NEAR(end_extremes(c, read_end_input(c)).depth, c.total_depth(), 1e-12);
+    EXPECT_EQ(read_end_input(c).relaxation_time, held);
+    c.outflow.depth_file = write("across.csv", "time [s],depth [mm]\n-10,40\n10,60\n");
+    const TimeTable across = *read_end_input(c).outflow_table;
+    EXPECT_NEAR(across.at(0.0) - c.datum(), 0.05, 1e-12);
+    EXPECT_NEAR(across.at(5.0) - c.datum(), 0.055, 1e-12);
+    EXPECT_EQ(across.times().front(), 0.0);
 }
 
 // A level that the case itself names raises the domain.

@@ -203,6 +203,24 @@ TEST(LeavingProfile, NoneComesBackWhileTheFlowLeaves) {
     EXPECT_NEAR(mean_of(profile, state), -0.2, 0.01);
 }
 
+// After a restore it is the one that it was.
+TEST(LeavingProfile, GoesOnFromAState) {
+    OpenEndsState state = state_with(0.1, 0.5, 0.6);
+    state.leaving[0] = 0.2;
+    for (const double of_section : {0.6, -0.2}) {
+        state.downstream.velocity = of_section;
+        LeavingProfile profile(least_depth);
+        profile.clear(state);
+        profile.finish(state, wave_speed(gravity, 0.05), 0.001);
+        LeavingProfile restored(least_depth);
+        restored.go_on(state);
+        EXPECT_NE(profile.at(state, 0.5), LeavingProfile(least_depth).at(state, 0.5));
+        for (const double place : {0.0, 0.03, 0.5, 1.0}) {
+            EXPECT_EQ(restored.at(state, place), profile.at(state, place));
+        }
+    }
+}
+
 // No water before the outflow: nothing is divided by its depth.
 TEST(LeavingProfile, KnowsNoProfileOfADryBed) {
     OpenEndsState state = state_with(0.0, 0.0, 0.0);

@@ -8,6 +8,7 @@
 #include <string>
 
 #include "base/error.hpp"
+#include "ends/end_extremes.hpp"
 #include "ends/end_input.hpp"
 #include "ends/relaxation_between_ends.hpp"
 #include "temporary_folder.hpp"
@@ -237,6 +238,11 @@ TEST(FlowAtEnds, AHydrographOverARatingCurveHasTheDepthsOfItsSteadyFlows) {
     EXPECT_NEAR(flow.inflow.depth->least, of_first, 1e-9);
     EXPECT_NEAR(flow.inflow.depth->largest, of_second, 1e-9);
     EXPECT_THAT(text_of(c), HasSubstr("it follows that in some"));
+    // A depth by a file lets in and out the water that its change takes.
+    c.outflow.kind = OutflowKind::depth;
+    c.outflow.depth_file = folder.path() / "tide.csv";
+    std::ofstream(c.outflow.depth_file) << "time [s],depth [m]\n0,0.06\n5,0.09\n9,0.06\n";
+    EXPECT_THAT(text_of(c), HasSubstr("a change by the file is followed at once"));
 }
 
 std::string error_of_ends(const Case& c) {
@@ -287,6 +293,20 @@ TEST(FlowAtEnds, AnOutflowBelowTheCriticalDepthIsRefused) {
     std::ofstream(c.outflow.rating_file)
         << "depth [m],unit_discharge [m2/s]\n0.001,0\n0.007,0.012\n0.06,0.014\n0.08,0.031\n";
     EXPECT_THAT(error_of_ends(c), HasSubstr("the rating curve holds"));
+}
+
+// What is watched beside the ends is a share of the depth that the case names; a file may ask for four times
+// it.
+TEST(FlowAtEnds, AStretchThatIsShortForTheHighestWaterIsTold) {
+    const test::TemporaryFolder folder;
+    Case c = rough_case("[inflow]\nunit_discharge = \"0.0174 m2/s\"\n");
+    c.numerics.spacing = 0.001;
+    c.outflow.kind = OutflowKind::depth;
+    c.outflow.depth_file = folder.path() / "tide.csv";
+    std::ofstream(c.outflow.depth_file) << "time [s],depth [m]\n0,0.06\n5,0.08\n";
+    EXPECT_THAT(text_of(c), Not(HasSubstr("the discharge may swing")));
+    std::ofstream(c.outflow.depth_file) << "time [s],depth [m]\n0,0.06\n5,0.18\n";
+    EXPECT_THAT(text_of(c), HasSubstr("the discharge may swing"));
 }
 
 // A supercritical inflow is told to need its depth.

@@ -103,6 +103,10 @@ TEST(InflowStreams, AStateIsTheSameAfterItsNumbers) {
     inflow.state.travel = 1e-3;
     EXPECT_EQ(OpenEndsState::from(inflow.state.numbers()), inflow.state);
     EXPECT_TRUE(OpenEndsState().numbers().empty());
+    // A level that falls takes out water of the start, which never entered.
+    OpenEndsState drawn_back = inflow.state;
+    drawn_back.ledger.entered = -3;
+    EXPECT_EQ(OpenEndsState::from(drawn_back.numbers()), drawn_back);
     OpenEndsState loud = inflow.state;
     loud.sound_upstream = {.slow = {0.1}, .now = {0.2, 0.3}, .change = {0.4, 0.5}};
     loud.sound_downstream.now = {0.6};
