@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "analysis/chapter_names.hpp"
+#include "analysis/figure_tools.hpp"
 #include "analysis/passing_sections.hpp"
 #include "base/interpolation.hpp"
 #include "case/end_levels.hpp"

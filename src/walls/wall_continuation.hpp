@@ -34,7 +34,7 @@ class Continuations {
           walls_(walls),
           domain_(domain_of<D>(c)),
           edge_(bed_ends(c) ? c.channel.length : std::numeric_limits<double>::infinity()),
-          walls_run_along_(D == 3 && c.channel.ends == Ends::periodic) {
+          walls_run_along_(D == 3 && c.channel.ends != Ends::walls) {
         for (const Solid& solid : c.solids) {
             has_faces_across_.push_back(!walls_run_along_ || !is_section(solid.shape));
         }
@@ -56,8 +56,10 @@ class Continuations {
             const bool alike = solids_across_.size() == solids_.size();
             const double solids_across = alike ? solids : beside_solids(i, solids_across_);
             const double walls = beside_walls(i);
-            result.back() = static_cast<Real>(std::max(walls, solids));
-            result.front() = static_cast<Real>(std::max(walls_run_along_ ? 0.0 : walls, solids_across));
+            const double edge = faded(edge_ - walls_.position[0][i]);
+            result.back() = static_cast<Real>(std::max({walls, edge, solids}));
+            result.front() =
+                static_cast<Real>(std::max({walls_run_along_ ? 0.0 : walls, edge, solids_across}));
         } else {
             result.back() = Real(1);
             const bool along = is_solid(walls_, i) ? has_faces_across(i) : !walls_run_along_;
@@ -80,7 +82,7 @@ class Continuations {
     }
 
     [[nodiscard]] double beside_walls(std::size_t i) const {
-        double continued = faded(edge_ - walls_.position[0][i]);
+        double continued = 0.0;
         for (const BoundaryPlane& plane : planes_) {
             if (plane.axis + 1 < static_cast<std::size_t>(D)) {
                 continued = std::max(continued, faded(plane.distance<D>(vector_of(walls_.position, i))));
@@ -109,7 +111,7 @@ class Continuations {
     const WallParticles<D>& walls_;
     Domain<D> domain_;
     double edge_;                             ///< where the bed ends, m
-    bool walls_run_along_;                    ///< all walls but solids, of a periodic channel
+    bool walls_run_along_;                    ///< all walls but solids, where none closes the channel
     std::vector<bool> has_faces_across_;      ///< by solid
     std::vector<std::size_t> solids_;         ///< particles of solids
     std::vector<std::size_t> solids_across_;  ///< of those with faces across the channel

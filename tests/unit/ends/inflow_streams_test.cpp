@@ -94,6 +94,21 @@ TEST(InflowStreams, WaterThatGoesBackIsGivenUp) {
     EXPECT_EQ(inflow.made, 0.0);
 }
 
+// Water that rises everywhere alike moves by the less the farther it is down its stream: dx/dt = u - s x.
+TEST(InflowStreams, WaterThatRisesSpreadsAlongItsStream) {
+    Inflow inflow(0.004);
+    inflow.streams.begin(inflow.state, 2, 0.0);
+    constexpr double velocity = 0.1;
+    constexpr double spreading = 0.5;
+    constexpr double dt = 1e-5;
+    for (int step = 0; step < 100000; ++step) {
+        inflow.streams.advance(inflow.state, dt, spreading, [](int, int) { return velocity; });
+    }
+    for (const double place : inflow.state.front) {
+        EXPECT_NEAR(place, velocity / spreading * (1.0 - std::exp(-spreading)), 1e-6);
+    }
+}
+
 TEST(InflowStreams, AStateIsTheSameAfterItsNumbers) {
     Inflow inflow(0.03, 2);
     inflow.state.begun = true;

@@ -4,6 +4,8 @@
 
 #include <gtest/gtest.h>
 
+#include <set>
+
 #include "small_case.hpp"
 
 namespace riffle::wall_continuation_test {
@@ -90,6 +92,36 @@ TEST(WallContinuation, IsThatOfEachWallForItself) {
          {seen.banks, seen.pier, seen.sides, seen.far_bed, seen.bed_at_pier, seen.bed_at_bank}) {
         EXPECT_GT(count, 0);
     }
+}
+
+/// How far the side walls continue the water along the channel: all of them alike.
+double along_side_walls(const Case& c) {
+    const auto simulation = test::simulation_of<3>(c);
+    const WallParticles<3>& walls = simulation->walls();
+    const Continuations<3> continuations(c, make_scheme(c, nullptr), walls);
+    std::set<double> along;
+    for (std::size_t i = 0; i < walls.size(); ++i) {
+        if (is_solid(walls, i) || walls.normal[1][i] == 0.0) continue;
+        along.insert(continuations.of<double>(i)[0]);
+        EXPECT_EQ(continuations.of<double>(i)[1], 1.0);
+    }
+    EXPECT_EQ(along.size(), 1U);
+    return *along.begin();
+}
+
+// Side walls run along a channel whose ends are open as along a periodic one; those of a basin end.
+TEST(WallContinuation, SideWallsRunAlongAnOpenChannel) {
+    Case c = canal_with_pier();
+    c.solids.clear();
+    EXPECT_EQ(along_side_walls(c), 0.0);
+    c.channel.ends = Ends::open;
+    c.inflow.unit_discharge = 0.01;
+    c.inflow.profile = InflowProfile::uniform;
+    c.outflow.kind = OutflowKind::critical_depth;
+    EXPECT_EQ(along_side_walls(c), 0.0);
+    c.channel.ends = Ends::walls;
+    c.channel.slope = 0.0;
+    EXPECT_EQ(along_side_walls(c), 1.0);
 }
 
 TEST(WallContinuation, OfAPlaneIsOneForAllRows) {
