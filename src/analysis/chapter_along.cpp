@@ -10,6 +10,7 @@
 
 #include "analysis/bodies.hpp"
 #include "analysis/chapters.hpp"
+#include "analysis/drowned_inflow.hpp"
 #include "analysis/figure_tools.hpp"
 #include "analysis/flood_passage.hpp"
 #include "analysis/tailwater_passage.hpp"
@@ -343,8 +344,10 @@ void analyse_along(const FlowRecord& record, Analysis& analysis) {
                                                     "take it all along the channel, as in steady flow";
         }
     }
-    // The means of a flood or a tide belong to no one discharge.
-    if (discharge && discharge->mean > 0.0 && !space && !changing) {
+    const bool drowned = !changing && add_drowned_inflow(record, analysis);
+    // The means of a flood or a tide belong to no one discharge; over a jet under a roller q/h is no
+    // velocity.
+    if (discharge && discharge->mean > 0.0 && !space && !changing && !drowned) {
         heads = heads_of(c, profile, bodies, discharge->mean);
         figure.curves.push_back(make_curve("energy line, level + (q/h)²/(2g)", Origin::simulated, Mark::line,
                                            profile.x, heads->energy, 1));

@@ -79,7 +79,7 @@ SectionKeys numerics_keys() {
         key("density_relaxation", &Numerics::density_relaxation,
             "Rate, over the strain rate, at which the density that a particle carries goes to what the "
             "kernel's sum over the particles makes of it, so that water that is sheared long stays even; "
-            "not near a free surface. 0: it does not.")
+            "in three dimensions not near a free surface. 0: it does not.")
             .at_least(0)
             .at_most(1)
             .because("it is for departures that grow over many turns"));

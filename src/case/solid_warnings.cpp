@@ -121,6 +121,9 @@ std::optional<std::size_t> solid_over(const Case& c, const SolidPlaces& solids, 
             if (axis == 1 && !in_space(c)) continue;
             Point3 beside = p;
             beside[axis] += away;
+            // No water is there to see: the bed, or a side wall.
+            const bool beyond_walls = in_space(c) && (beside[1] < 0.0 || beside[1] > c.channel.width);
+            if (beside[2] < 0.0 || beyond_walls) continue;
             if (!solids.resting_at(beside)) return std::nullopt;
         }
     }
@@ -140,7 +143,8 @@ Findings in_solid(const Case& c, const Probe& probe) {
     for (std::size_t i = 0; i < points; ++i) {
         const Point3 p{at(probe.x, i, 0.0), at(probe.y, i, c.channel.centreline()), at(probe.z, i, 0.0)};
         if (const auto solid = solid_over(c, solids, probe.kind, p)) {
-            return found_if(true, "its point at x = {}{} stands in the solid \"{}\"", shown_length(p[0]),
+            return found_if(true, "the point of \"{}\" at x = {}{} stands in the solid \"{}\"", probe.name,
+                            shown_length(p[0]),
                             probe.kind == ProbeKind::wave ? "" : ", z = " + shown_length(p[2]),
                             c.solids[*solid].name);
         }

@@ -127,15 +127,16 @@ CheckList make_warnings() {
                              shown_length(c.numerics.spacing), fmt::format("{:.2g} mm", 1e3 * zero));
          }},
         {{"numerics.spacing", "channel.depth"},
-         "fewer than 12 rows of particles over the depth of a bed by a wall law, or over a depth given at an open end of it",
-         "the rows of the wall layer are a large part of the depth",
+         "fewer than 12 rows of particles over the depth of a bed by a wall law, or over a depth given at an open end",
+         "a row is a large part of the depth",
          "make the spacing smaller",
          [](const Case& c) {
              const LeastDepth least = least_named_depth(c);
              const double rows = least.depth / c.numerics.spacing;
-             return found_if(has_wall_law(c) && rows * (1 + rounding_of_ratios) < 12.0,
-                             "{} leaves only {:.0f} rows over {}, verified with 12 and more",
-                             shown_length(c.numerics.spacing), rows, depth_text(least));
+             return found_if(
+                 (has_wall_law(c) || least.of != nullptr) && rows * (1 + rounding_of_ratios) < 12.0,
+                 "{} leaves only {:.0f} rows over {}, verified with 12 and more",
+                 shown_length(c.numerics.spacing), rows, depth_text(least));
          }},
         {{"bed.drag_form"},
          "`drag_form = \"thesis\"`",
@@ -152,6 +153,12 @@ CheckList make_warnings() {
          "in this run water breaks against a wall or falls, pressures scatter and spray may leave the water",
          "such flows are verified with preset = \"violent\"",
          [](const Case& c) { return breaks(c) && c.numerics.preset != Preset::violent; }},
+        {{"start.kind", "solid.name"},
+         "`kind = \"backwater\"` with solids that stand in the water",
+         "the varied flow of the start knows the bed alone: over a weir or past a pier the run begins with another "
+         "flow, and has to find its own",
+         "kind = \"rest\" with start.water_x and start.water_z gives each pool its level",
+         [](const Case& c) { return c.start.kind == StartKind::backwater && !c.solids.empty(); }},
         {{"start.lattice", "start.kind"},
          "`lattice = \"body-centred\"` of water that does not start at rest",
          "\"body-centred\" has no layers that slide in a shear flow (docs/theory.md, section 12)",

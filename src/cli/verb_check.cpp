@@ -13,6 +13,7 @@
 #include "cli/terminal.hpp"
 #include "cli/verbs.hpp"
 #include "solver/forecast.hpp"
+#include "solver/run.hpp"
 
 namespace riffle::inline cli {
 
@@ -250,6 +251,7 @@ void check(const CheckVerb& verb) {
     show_notices();
     const Case c = verb.argument.read();
     verb.argument.check_size_of(c);
+    check_runnable(c);
     const std::vector<std::string> warnings = case_warnings(c);
     for (const std::string& warning : warnings) print_warning(warning);
     const Forecast f = forecast_run(c, verb.threads);

@@ -28,6 +28,7 @@ class DensityRelaxation final : public Component<D, Real> {
         : coefficient_(flow.c.numerics.density_relaxation),
           kernel_(scalar_kernel<D>(flow.c.numerics.kernel)),
           full_(lattice_kernel_sum<D>(flow.c)),
+          rows_(lattice_surface_rows<D>(flow.c)),
           surplus_(flow.particles.add_field(
               {"volume_surplus", "1", "how much more volume of particles than room the kernel finds"})) {}
 
@@ -54,7 +55,8 @@ class DensityRelaxation final : public Component<D, Real> {
     }
 
     [[nodiscard]] std::size_t bytes() const override {
-        return (fill_.capacity() + at_surface_.capacity() + sees_.capacity()) * sizeof(double);
+        return (fill_.capacity() + at_surface_.capacity() + sees_.capacity()) * sizeof(double) +
+               lean_.capacity() * sizeof(Vec<D>);
     }
 
   private:
@@ -75,6 +77,7 @@ class DensityRelaxation final : public Component<D, Real> {
         const std::size_t slots = flow.clusters.size() * cluster_size;
         fill_.assign(slots, 0.0);
         at_surface_.assign(slots, 0.0);
+        lean_.assign(slots, Vec<D>{});
         const double support = 2.0 * flow.scheme.smoothing_length;
         const double unit = std::pow(flow.scheme.smoothing_length, D);
         const auto share = [&](double volume, double squared) {
@@ -83,20 +86,29 @@ class DensityRelaxation final : public Component<D, Real> {
         flow.for_blocks([&](Task& task, std::size_t begin, std::size_t end) {
             flow.loops.filter(flow.data, begin, end, task.sums);
             flow.for_particles(begin, end, [&](std::size_t, std::size_t lane) {
-                fill_[begin * cluster_size + lane] = static_cast<double>(task.sums.filter.zeroth[lane]);
+                const std::size_t slot = begin * cluster_size + lane;
+                fill_[slot] = static_cast<double>(task.sums.filter.zeroth[lane]);
+                for (std::size_t k = 0; k < D; ++k) {
+                    lean_[slot][k] = static_cast<double>(task.sums.filter.first[k][lane]);
+                }
             });
             if (flow.data.fluid_wall != nullptr) {
                 for_listed_pairs<D>(flow.fluid_wall, flow.clusters, flow.data.motion, flow.data.wall_gradient,
                                     flow.fixed_point, support, begin, end,
-                                    [&](std::size_t i, std::size_t j, const Vec<D>&, double squared) {
-                                        fill_[i] += share(
+                                    [&](std::size_t i, std::size_t j, const Vec<D>& r, double squared) {
+                                        const double of_wall = share(
                                             static_cast<double>(flow.data.wall_gradient[j].volume), squared);
+                                        fill_[i] += of_wall;
+                                        for (std::size_t k = 0; k < D; ++k) lean_[i][k] += of_wall * r[k];
                                     });
             }
             flow.for_particles(begin, end, [&](std::size_t, std::size_t lane) {
                 const std::size_t slot = begin * cluster_size + lane;
                 fill_[slot] /= full_;
-                at_surface_[slot] = 1.0 - smoothstep<double>(surface_row, below_surface_row, fill_[slot]);
+                at_surface_[slot] =
+                    D == 2 ? smoothstep<double>(0.5 * (rows_[0].lean + rows_[1].lean), 0.85 * rows_[0].lean,
+                                                lean_of(flow, slot))
+                           : 1.0 - smoothstep<double>(surface_row, below_surface_row, fill_[slot]);
             });
         });
         std::vector<double>& surplus = flow.particles.further[surplus_].values;
@@ -112,17 +124,48 @@ class DensityRelaxation final : public Component<D, Real> {
                 [&](std::size_t slot) { return at_surface_[slot] > 0.0; });
             flow.for_particles(begin, end, [&](std::size_t i, std::size_t lane) {
                 const std::size_t slot = begin * cluster_size + lane;
-                surplus[i] = std::clamp(fill_[slot] - 1.0, -largest_surplus, largest_surplus) *
-                             (1.0 - smoothstep<double>(sees_no_surface, sees_surface, sees_[slot]));
+                const double near = smoothstep<double>(sees_no_surface, sees_surface, sees_[slot]);
+                // In two dimensions up to the surface, but for its own row.
+                const double expected =
+                    D == 2 ? 1.0 - near * (1.0 - expected_fill(lean_of(flow, slot))) : 1.0;
+                const double share_of_it = 1.0 - (D == 2 ? at_surface_[slot] : near);
+                surplus[i] =
+                    std::clamp(fill_[slot] - expected, -largest_surplus, largest_surplus) * share_of_it;
             });
         });
+    }
+
+    /// How far the water around a particle leans to one side, as SurfaceRow has it: in two dimensions that
+    /// tells a row at the surface from the edge of a gap.
+    [[nodiscard]] double lean_of(const Flow& flow, std::size_t slot) const {
+        double squared = 0.0;
+        for (const double along : lean_[slot]) squared += along * along;
+        return std::sqrt(squared) / (flow.scheme.smoothing_length * full_);
+    }
+
+    /// What the sum is near the surface in even water that leans so far, straight between the rows of the
+    /// lattice. A little is disorder.
+    [[nodiscard]] double expected_fill(double lean) const {
+        for (std::size_t row = 0; row + 1 < rows_.size(); ++row) {
+            const SurfaceRow& upper = rows_[row];
+            const bool lowest = row + 2 >= rows_.size();
+            const SurfaceRow lower = lowest ? SurfaceRow{1.0, 0.5 * upper.lean} : rows_[row + 1];
+            if (lean >= upper.lean) return upper.fill;
+            if (lean > lower.lean) {
+                return lower.fill +
+                       (upper.fill - lower.fill) * (lean - lower.lean) / (upper.lean - lower.lean);
+            }
+        }
+        return 1.0;
     }
 
     double coefficient_;
     ScalarKernel kernel_;
     double full_;                     ///< lattice_kernel_sum()
+    std::vector<SurfaceRow> rows_;    ///< lattice_surface_rows()
     std::size_t surplus_;             ///< field of the particles
     std::vector<double> fill_;        ///< by slot, sum of V W of water and walls over that of the lattice
+    std::vector<Vec<D>> lean_;        ///< by slot, sum of V W r, m
     std::vector<double> at_surface_;  ///< by slot, 1 in the uppermost row
     std::vector<double> sees_;        ///< by slot, share of the uppermost row in its sum
 };

@@ -240,14 +240,14 @@ class ChannelRows : public DiagnosticRows {
         const double depth = data_.flow.total_depth();
         constexpr double bar = 0.005;
         add({"depth_drift", "Drift of the water level",
-             fmt::format("{:+.3f} ± {:.3f} mm per minute", 1000 * trend.slope * minute,
+             fmt::format("{:+.3g} ± {:.2g} mm per minute", 1000 * trend.slope * minute,
                          1000 * trend.half_width * minute),
              fmt::format("at most {:.2f} mm per minute, 0.5 % of the depth", 1000 * bar * depth),
              open_
                  ? "Where as much water enters as leaves, the level stays. A drift means that the flow is still on "
                    "its way, or that the case changes it: what enters, what rules the outflow, a solid that moves."
                  : "Water is neither lost nor added, so the level must stay. A drift means that the particles' "
-                   "volume changes.",
+                   "volume changes: numerics.density_relaxation = 0.4 keeps it.",
              changes_in_time()
                  ? Health::none
                  : mark_of(std::abs(trend.slope) * minute / depth, bar, trend.half_width * minute / depth)});

@@ -349,6 +349,7 @@ std::vector<SummaryRow> summarize(const ReportData& data, const Analysis& analys
                       {"unit_discharge", "<i>q</i>"},
                       {"highest_level", ""},
                       {"lowest_level", ""},
+                      {"drowned_inflow_depth", ""},
                       {"largest_froude", "Fr"},
                       {"backwater_departure", ""}});
         add_passages(table, analysis);

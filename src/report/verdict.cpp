@@ -236,6 +236,15 @@ void judge_bodies(const ReportData& data, const std::vector<SummaryRow>& quantit
     verdict.sentences.push_back(text + ".");
     judge_flood(quantities, verdict);
     judge_tailwater(quantities, verdict);
+    const SummaryRow* const drowned = find_quantity(quantities, "drowned_inflow_depth");
+    if (drowned != nullptr && drowned->simulated) {
+        verdict.sentences.push_back(fmt::format(
+            "The depth at the inflow is {:.4g} {}, where {:.4g} mm are to enter faster than their waves: a "
+            "jump stands there and drowns the jet. A lower depth at the outflow or a longer channel lets it "
+            "stand off.",
+            drowned->factor * drowned->simulated->value, drowned->unit,
+            1e3 * data.flow.inflow.depth.value_or(0.0)));
+    }
     const SummaryRow* const bodies = find_quantity(quantities, "solid_force_share");
     if (bodies != nullptr && bodies->simulated) {
         verdict.sentences.push_back(fmt::format("The bodies take {:.1f} % of the water's weight component.",

@@ -7,7 +7,7 @@ import numpy
 
 import figures
 from check import Check
-from open_end_checks import account, depth_by_area
+from open_end_checks import account, depth_by_area, surface_of
 from options import options_text
 
 WEIR_HEIGHT = 0.3
@@ -131,4 +131,57 @@ def drop_structure(study):
     return check
 
 
-CHECKS = {"open_drop": drop_structure, "open_overfall": overfall, "open_sharp_weir": sharp_weir, "open_broad_weir": broad_weir}
+def _discharge(flow):
+    """Times and unit discharges of the standard section of a run."""
+    with h5py.File(flow.folder / "results.h5", "r") as file:
+        group = file["/probes/standard_flow_rate"]
+        return group["time"][:], group["flow_rate"][:, 0]
+
+
+def submerged_weir(gravity, head, tailwater, weir_height):
+    """Unit discharge over a sharp crest (Rehbock 1929) that the water below it covers by `tailwater`, m (Villemonte 1947)."""
+    free = (0.602 + 0.083 * head / weir_height) * 2 / 3 * math.sqrt(2 * gravity) * head**1.5
+    return free * (1 - max(0.0, tailwater / head) ** 1.5) ** 0.385
+
+
+def pool_and_weir(study):
+    case = "cases/solids/pool-and-weir.toml"
+    check = Check("pool_and_weir", "A pool-and-weir fish pass",
+                  "One pool of many, driven by its slope: level, discharge and the water behind the weir stay what they are; without the density relaxation the particles drift apart and the level rises.")
+    figure = figures.Figure(2)
+    levels, discharges = (figure.panel("time t (s)", label, "") for label in ("mean level (m)", "discharge per unit width (m2/s)"))
+    variants = [("5 mm", {}), ("3.3 mm", {"numerics.spacing": '"3.3333 mm"'}), ("5 mm, density_relaxation = 0", {"numerics.density_relaxation": "0"})]
+    for number, (name, settings) in enumerate(variants[:1] if study.quick else variants):
+        flow = study.run(f"pool_and_weir_{number}", case, settings)
+        weir = flow.parameters["solid"][0]
+        time, level = flow.series["time"], flow.series["mean_level"]
+        times, q = _discharge(flow)
+        early = lambda at, values: float(numpy.nanmean(values[(at > 6) & (at <= 12)]))
+        late = lambda at, values: float(numpy.nanmean(values[at > 24]))
+        held = number < 2  # the last one shows what is missing without the relaxation
+        check.norm(f"{name}: mean level, 24 to 30 s against 6 to 12 s, over the depth", (late(time, level) - early(time, level)) / flow.depth, 0.002 if held else None)
+        check.norm(f"{name}: discharge, the same", late(times, q) / early(times, q) - 1, 0.01 if held else None)
+        volume = float(flow.mass.mean()) / flow.density
+        x0, x1, z0, z1 = max(weir["x"]) + 2 * flow.spacing, flow.length - 4 * flow.spacing, 4 * flow.spacing, max(weir["z"]) - 4 * flow.spacing
+        fills = [((s.x > x0) & (s.x < x1) & (s.z > z0) & (s.z < z1)).sum() * volume / ((x1 - x0) * (z1 - z0)) for s in flow.snapshots() if s.time > 24]
+        check.norm(f"{name}: volume of the particles behind the weir over their room, less one, 24 to 30 s", float(numpy.mean(fills)) - 1, 0.01 if held else None)
+        figures.simulated(levels, time, level, name, figures.COLOURS[number], most=600)
+        figures.simulated(discharges, times, q, name, figures.COLOURS[number], most=600)
+        if not held:
+            continue
+        surface_time, x, elevation = surface_of(flow)
+        mean = numpy.nanmean(elevation[surface_time > 10], axis=0) - flow.parameters["channel"]["slope"] * x
+        above = lambda begin, end: float(mean[(x > begin) & (x < end)].mean())
+        crest = max(weir["z"]) - flow.parameters["channel"]["slope"] * sum(set(weir["x"])) / 2
+        head, tailwater = above(0.12, 0.22) - crest, above(0.42, 0.48) - crest
+        check.norm(f"{name}: discharge against that over a submerged sharp crest with the head of {1e3 * head:.1f} mm in the pool",
+                   float(q[times > 10].mean()) / submerged_weir(flow.gravity_z, head, tailwater, max(weir["z"])) - 1)
+        if number == 0:
+            check.best, check.cost = options_text(flow), flow.cost_text
+            forces = flow.series["drag_over_gravity"] + flow.series["wall_over_gravity"]
+            check.norm(f"{name}: forces of bed and weir over the weight component, less one, from 10 s on", float(forces[time > 10].mean()) - 1, 0.01)
+    check.figures.append((figure.svg(check.name), "Mean level and discharge in time."))
+    return check
+
+
+CHECKS = {"pool_and_weir": pool_and_weir, "open_drop": drop_structure, "open_overfall": overfall, "open_sharp_weir": sharp_weir, "open_broad_weir": broad_weir}

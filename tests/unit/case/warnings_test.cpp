@@ -94,6 +94,34 @@ TEST(Warnings, TooFewRowsOverAShallowEnd) {
         Not(Contains(HasSubstr("rows over"))));
 }
 
+/// A level channel with open ends over a slip bed, with a weir.
+std::vector<std::string> warnings_of_weir(const std::string& more) {
+    return case_warnings(parse_case(
+        "[channel]\nslope = 0\ndepth = \"120 mm\"\nlength = \"1 m\"\nends = \"open\"\n[bed]\nkind = \"slip\"\n"
+        "[turbulence]\nclosure = \"none\"\n[numerics]\nspacing = \"5 mm\"\n[run]\nuntil = \"5 s\"\n[[solid]]\nname = "
+        "\"weir\"\nx = [\"400 mm\", \"430 mm\", \"430 mm\", \"400 mm\"]\nz = [\"0 mm\", \"0 mm\", \"60 mm\", \"60 mm\"]\n" +
+            more,
+        "test"));
+}
+
+// A slip bed has rows as well.
+TEST(Warnings, TooFewRowsOverAnyBed) {
+    EXPECT_THAT(
+        warnings_of_weir(
+            "[inflow]\nunit_discharge = \"0.01 m2/s\"\nprofile = \"uniform\"\ndepth = \"8 mm\"\n[outflow]\nkind = "
+            "\"free\"\n[start]\nkind = \"uniform\"\n"),
+        Contains(HasSubstr("only 2 rows over the depth of the inflow, 8 mm")));
+}
+
+TEST(Warnings, AStartOfVariedFlowKnowsNoSolids) {
+    const std::string ends =
+        "[inflow]\nunit_discharge = \"0.01 m2/s\"\nprofile = \"uniform\"\n[outflow]\nkind = \"depth\"\ndepth = \"120 mm\"\n";
+    EXPECT_THAT(warnings_of_weir(ends + "[start]\nkind = \"backwater\"\n"),
+                Contains(HasSubstr("knows the bed alone")));
+    EXPECT_THAT(warnings_of_weir(ends + "[start]\nkind = \"uniform\"\n"),
+                Not(Contains(HasSubstr("knows the bed"))));
+}
+
 TEST(Warnings, SmoothedMotion) {
     EXPECT_THAT(warnings_with({{"numerics.xsph", "0.5"}, {"numerics.stepping", "semi-implicit-euler"}}),
                 Contains(HasSubstr("numerics.xsph")));
@@ -219,6 +247,10 @@ TEST(Warnings, GaugesInASolid) {
     EXPECT_THAT(warned("probe[0].kind = velocity; probe[0].x = [0.1]; probe[0].z = [0.01]"), Not(IsEmpty()));
     EXPECT_THAT(warned("probe[0].kind = pressure; probe[0].x = [0.1]; probe[0].z = [0.01]"), Not(IsEmpty()));
     EXPECT_THAT(warned("probe[0].kind = pressure; probe[0].x = [0.08]; probe[0].z = [0.01]"), IsEmpty());
+    // On the bed, under the solid and beside it.
+    EXPECT_THAT(warned("probe[0].kind = pressure; probe[0].x = [0.1]; probe[0].z = [0]"),
+                Contains(HasSubstr("the point of \"gauge\" at x = 100 mm, z = 0 m stands")));
+    EXPECT_THAT(warned("probe[0].kind = pressure; probe[0].x = [0.05]; probe[0].z = [0]"), IsEmpty());
     EXPECT_THAT(warned("probe[0].kind = pressure; probe[0].x = [0.1]; probe[0].z = [0.03]"), IsEmpty());
     // The water covers the weir, but not a pier.
     EXPECT_THAT(warned("probe[0].kind = wave; probe[0].x = [0.1]"), IsEmpty());
@@ -267,6 +299,10 @@ TEST(Warnings, EachRowHasACase) {
             "probe[0].name = adv; probe[0].x = [0.1]; probe[0].z = [0.01]; probe[0].sampling_frequency = 50"),
         with_keys(test::with_shape(SolidShape::spheres),
                   "solid[1].name = sand; solid[1].shape = spheres; solid[1].diameter = 10 mm"),
+        with_keys(
+            with_solid(),
+            "channel.ends = open; channel.slope = 0; inflow.unit_discharge = 0.01; outflow.kind = depth; "
+            "outflow.depth = 50 mm; start.kind = backwater"),
         with_keys(with_solid(),
                   "channel.dimensions = 3; solid[0].motion = constant; solid[0].velocity_z = 3"),
     };

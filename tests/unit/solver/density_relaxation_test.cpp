@@ -2,7 +2,9 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
 #include <cmath>
+#include <vector>
 
 #include "same_bits.hpp"
 #include "small_case.hpp"
@@ -67,7 +69,8 @@ TEST(DensityRelaxation, TakesAWrongDensityAwayAtTheRateOfTheStrain) { expect_dec
 
 TEST(DensityRelaxation, DoesSoInSpace) { expect_decay<3>(); }
 
-// Where water has no neighbours above it, the kernel's sum tells nothing of its density.
+// Where water has no neighbours above it, the kernel's sum is small without being sparse; in the corners of
+// surface and walls the rows of the lattice are not quite those of a level surface without end.
 TEST(DensityRelaxation, LeavesTheSurfaceAlone) {
     Case c = test::still_water();
     c.channel.length = 0.1;
@@ -82,11 +85,41 @@ TEST(DensityRelaxation, LeavesTheSurfaceAlone) {
     for (std::size_t i = 0; i < p.size(); ++i) {
         const double below = (c.channel.depth - p.position[1][i]) / c.numerics.spacing;
         // On the lattice nothing is crowded, beside bed and end walls neither.
-        EXPECT_NEAR(surplus[i], 0.0, 2e-3) << below;
-        if (below < 2.0) {
-            EXPECT_EQ(surplus[i], 0.0) << below;
-        }
+        EXPECT_NEAR(surplus[i], 0.0, below < 2.0 ? 5e-3 : 2e-3) << below;
     }
+}
+
+// Gaps under the surface are seen, in the second row too: water of four fifths of the particles.
+TEST(DensityRelaxation, SeesGapsUnderTheSurface) {
+    Case c = test::still_water();
+    c.channel.length = 0.1;
+    c.numerics.spacing = 0.0025;
+    c.numerics.density_relaxation = coefficient;
+    Particles<2> water = initial_particles<2>(c, make_scheme(c, nullptr), nullptr);
+    std::vector<std::int32_t> kept;
+    const auto rows_below = [&](std::size_t i) {
+        return static_cast<int>((c.channel.depth - water.position[1][i]) / c.numerics.spacing);
+    };
+    for (std::size_t i = 0; i < water.size(); ++i) {
+        const int row = rows_below(i);
+        const int column = static_cast<int>(water.position[0][i] / c.numerics.spacing);
+        const bool gap = row >= 1 && row < 8 && (column + 2 * row) % 5 == 0;
+        if (!gap) kept.push_back(static_cast<std::int32_t>(i));
+    }
+    water.permute(kept);
+    const auto simulation = make_simulation<2>(c, nullptr, water);
+    simulation->step();
+    const Particles<2>& p = simulation->particles();
+    std::array<double, 8> mean{};
+    std::array<int, 8> count{};
+    for (std::size_t i = 0; i < p.size(); ++i) {
+        const int row = static_cast<int>((c.channel.depth - p.position[1][i]) / c.numerics.spacing);
+        if (row >= 8) continue;
+        mean.at(static_cast<std::size_t>(row)) += p.further[0].values[i];
+        ++count.at(static_cast<std::size_t>(row));
+    }
+    EXPECT_NEAR(mean[0] / count[0], 0.0, 0.03);
+    for (std::size_t row = 1; row < 7; ++row) EXPECT_LT(mean.at(row) / count.at(row), -0.03) << row;
 }
 
 TEST(DensityRelaxation, IsAPartOfTheState) {
