@@ -87,6 +87,18 @@ std::optional<MeanEstimate> unit_discharge(const FlowRecord& record) {
     return mean;
 }
 
+/// By how much the discharge drifts over the window, over its mean; 0 where that is no more than its interval
+/// or chance. The interval of a mean that drifts says nothing of where it goes.
+double drift_of_discharge(const FlowRecord& record, const MeanEstimate& mean) {
+    const std::vector<double> discharge = discharge_of(record);
+    const TrendEstimate trend = trend_with_confidence(discharge);
+    const double change =
+        trend.slope * static_cast<double>(discharge.size() - 1) / record.flow()->channel.flow_width();
+    const bool stands_out = std::abs(change) > 2.0 * mean.half_width || !trusted_half_width(mean);
+    const bool drifts = stands_out && std::abs(trend.slope) > trend.half_width;
+    return drifts && mean.mean != 0.0 ? change / mean.mean : 0.0;
+}
+
 /// Velocity and discharge of a canal beside those of its hydraulic radius.
 void add_canal(const FlowRecord& record, const CanalFlow& canal, Analysis& analysis) {
     const auto add = [&](const char* key, const char* label, const char* unit, std::vector<double> values,
@@ -333,15 +345,23 @@ void analyse_along(const FlowRecord& record, Analysis& analysis) {
     const std::optional<MeanEstimate> discharge = canal ? std::nullopt : unit_discharge(record);
     std::optional<Heads> heads;
     if (discharge) {
-        analysis.findings.push_back(make_finding(chapters::along, "unit_discharge",
-                                                 "discharge per unit width", "m2/s", discharge->mean,
-                                                 trusted_half_width(*discharge)));
+        const double drift = changing ? 0.0 : drift_of_discharge(record, *discharge);
+        analysis.findings.push_back(
+            make_finding(chapters::along, "unit_discharge", "discharge per unit width", "m2/s",
+                         discharge->mean, drift != 0.0 ? std::nullopt : trusted_half_width(*discharge)));
         if (find_at_end(record, fields::flow_rate.flow_rate, 1) != nullptr) {
             analysis.findings.back().remark = changing ? "at the inflow, mean over the window"
                                               : space
                                                   ? "at the inflow"
                                                   : "at the inflow; velocity, Froude number and energy line "
                                                     "take it all along the channel, as in steady flow";
+        }
+        if (drift != 0.0) {
+            std::string& remark = analysis.findings.back().remark;
+            remark += fmt::format(
+                "{}it changes by {:+.2g} % over the window, more than chance: the flow is not "
+                "steady, and its mean has no interval",
+                remark.empty() ? "" : "; ", 100.0 * drift);
         }
     }
     const bool drowned = !changing && add_drowned_inflow(record, analysis);
