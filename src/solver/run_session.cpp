@@ -36,9 +36,9 @@ namespace {
 
 /// Why a run is not tested for convergence.
 const char* reason_without_test(const Case& c) {
-    return c.channel.ends == Ends::open && !changes_at_ends(c)
-               ? "not tested for convergence: the run ends at a given time"
-               : "no steady flow to converge to";
+    return is_undriven(flow_kind(c)) || changes_at_ends(c)
+               ? "no steady flow to converge to"
+               : "not tested for convergence: the run ends at a given time";
 }
 
 /// Share of the time that writing may take before it is done less often.
