@@ -75,28 +75,32 @@ std::vector<double> discharge_of(const FlowRecord& record) {
     return {};
 }
 
-/// Discharge per unit width, m2/s.
-std::optional<MeanEstimate> unit_discharge(const FlowRecord& record) {
+/// Discharge per unit width.
+struct UnitDischarge {
+    double mean = 0.0;                 ///< m2/s
+    std::optional<double> half_width;  ///< of the 95 % interval, where there is one that can be trusted
+    /// Its change over the window over its mean, where the flow is to be steady and that is more than chance
+    /// and than the interval, which then is none: that of a mean that drifts says nothing of where it goes.
+    double drift = 0.0;
+};
+std::optional<UnitDischarge> unit_discharge(const FlowRecord& record) {
     const Case& c = *record.flow();
     const double width = c.channel.flow_width();
-    const std::vector<double> discharge = discharge_of(record);
-    if (discharge.empty()) return std::nullopt;
-    MeanEstimate mean = mean_with_confidence(discharge);
+    const std::vector<double> samples = discharge_of(record);
+    if (samples.empty()) return std::nullopt;
+    MeanEstimate mean = mean_with_confidence(samples);
     mean.mean /= width;
     mean.half_width /= width;
-    return mean;
-}
-
-/// By how much the discharge drifts over the window, over its mean; 0 where that is no more than its interval
-/// or chance. The interval of a mean that drifts says nothing of where it goes.
-double drift_of_discharge(const FlowRecord& record, const MeanEstimate& mean) {
-    const std::vector<double> discharge = discharge_of(record);
-    const TrendEstimate trend = trend_with_confidence(discharge);
-    const double change =
-        trend.slope * static_cast<double>(discharge.size() - 1) / record.flow()->channel.flow_width();
-    const bool stands_out = std::abs(change) > 2.0 * mean.half_width || !trusted_half_width(mean);
-    const bool drifts = stands_out && std::abs(trend.slope) > trend.half_width;
-    return drifts && mean.mean != 0.0 ? change / mean.mean : 0.0;
+    UnitDischarge discharge{.mean = mean.mean, .half_width = trusted_half_width(mean)};
+    if (changes_at_ends(c) || mean.mean == 0.0) return discharge;
+    const TrendEstimate trend = trend_with_confidence(samples);
+    const double change = trend.slope * static_cast<double>(samples.size() - 1) / width;
+    const bool stands_out = std::abs(change) > 2.0 * mean.half_width || !discharge.half_width;
+    if (stands_out && std::abs(trend.slope) > trend.half_width) {
+        discharge.half_width.reset();
+        discharge.drift = change / mean.mean;
+    }
+    return discharge;
 }
 
 /// Velocity and discharge of a canal beside those of its hydraulic radius.
@@ -342,13 +346,12 @@ void analyse_along(const FlowRecord& record, Analysis& analysis) {
         compare_with_varied_flow(record, profile, figure, analysis);
     }
 
-    const std::optional<MeanEstimate> discharge = canal ? std::nullopt : unit_discharge(record);
+    const std::optional<UnitDischarge> discharge = canal ? std::nullopt : unit_discharge(record);
     std::optional<Heads> heads;
     if (discharge) {
-        const double drift = changing ? 0.0 : drift_of_discharge(record, *discharge);
-        analysis.findings.push_back(
-            make_finding(chapters::along, "unit_discharge", "discharge per unit width", "m2/s",
-                         discharge->mean, drift != 0.0 ? std::nullopt : trusted_half_width(*discharge)));
+        analysis.findings.push_back(make_finding(chapters::along, "unit_discharge",
+                                                 "discharge per unit width", "m2/s", discharge->mean,
+                                                 discharge->half_width));
         if (find_at_end(record, fields::flow_rate.flow_rate, 1) != nullptr) {
             analysis.findings.back().remark = changing ? "at the inflow, mean over the window"
                                               : space
@@ -356,19 +359,20 @@ void analyse_along(const FlowRecord& record, Analysis& analysis) {
                                                   : "at the inflow; velocity, Froude number and energy line "
                                                     "take it all along the channel, as in steady flow";
         }
-        if (drift != 0.0) {
+        if (discharge->drift != 0.0) {
             std::string& remark = analysis.findings.back().remark;
             remark += fmt::format(
                 "{}it changes by {:+.2g} % over the window, more than chance: the flow is not "
                 "steady, and its mean has no interval",
-                remark.empty() ? "" : "; ", 100.0 * drift);
+                remark.empty() ? "" : "; ", 100.0 * discharge->drift);
         }
     }
     const bool drowned = !changing && add_drowned_inflow(record, analysis);
     // The means of a flood or a tide belong to no one discharge; over a jet under a roller q/h is no
     // velocity.
-    if (discharge && discharge->mean > 0.0 && !space && !changing && !drowned) {
-        heads = heads_of(c, profile, bodies, discharge->mean);
+    const double steady = discharge.value_or(UnitDischarge{}).mean;
+    if (steady > 0.0 && !space && !changing && !drowned) {
+        heads = heads_of(c, profile, bodies, steady);
         figure.curves.push_back(make_curve("energy line, level + (q/h)²/(2g)", Origin::simulated, Mark::line,
                                            profile.x, heads->energy, 1));
         figure.curves.push_back(

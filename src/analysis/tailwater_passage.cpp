@@ -117,7 +117,7 @@ void add_section(const PassingSection& section, const PassingSection* outflow, s
         add("high", "highest water", "m", section.depth[depth.most],
             "of the water over what it stands on, " + when(section, depth.most));
         add("low", "lowest water", "m", section.depth[depth.least],
-            "of the water, over what it stands on, " + when(section, depth.least));
+            "of the water over what it stands on, " + when(section, depth.least));
         add("range", "range of the depth", "m", depth.range,
             range_remark(section, outflow, passing_stretch(c)));
     }

@@ -127,16 +127,16 @@ CheckList make_warnings() {
                              shown_length(c.numerics.spacing), fmt::format("{:.2g} mm", 1e3 * zero));
          }},
         {{"numerics.spacing", "channel.depth"},
-         "fewer than 12 rows of particles over the depth of a bed by a wall law, or over a depth given at an open end",
+         "fewer than 12 rows of particles over the depth of a bed by a wall law, or over a depth given at an open end but of a bed of spheres",
          "a row is a large part of the depth",
          "make the spacing smaller",
          [](const Case& c) {
              const LeastDepth least = least_named_depth(c);
              const double rows = least.depth / c.numerics.spacing;
-             return found_if(
-                 (has_wall_law(c) || least.of != nullptr) && rows * (1 + rounding_of_ratios) < 12.0,
-                 "{} leaves only {:.0f} rows over {}, verified with 12 and more",
-                 shown_length(c.numerics.spacing), rows, depth_text(least));
+             return found_if((has_wall_law(c) || (least.of != nullptr && !over_spheres(c))) &&
+                                 rows * (1 + rounding_of_ratios) < 12.0,
+                             "{} leaves only {:.0f} rows over {}, verified with 12 and more",
+                             shown_length(c.numerics.spacing), rows, depth_text(least));
          }},
         {{"bed.drag_form"},
          "`drag_form = \"thesis\"`",

@@ -63,6 +63,9 @@ class DensityRelaxation final : public Component<D, Real> {
     /// Steps from one look to the next: some hundredths of the time in which strain moves a particle by a
     /// spacing.
     static constexpr std::int64_t interval = 16;
+    /// Whether it goes up to a free surface, but for its uppermost row; else it leaves what sees that row
+    /// alone.
+    static constexpr bool up_to_surface = D == 2;
     // By the sum over the lattice: a particle of the uppermost row has 0.75 at most, one of the second 0.87
     // and more.
     static constexpr double surface_row = 0.80;
@@ -77,7 +80,7 @@ class DensityRelaxation final : public Component<D, Real> {
         const std::size_t slots = flow.clusters.size() * cluster_size;
         fill_.assign(slots, 0.0);
         at_surface_.assign(slots, 0.0);
-        lean_.assign(slots, Vec<D>{});
+        if constexpr (up_to_surface) lean_.assign(slots, Vec<D>{});
         const double support = 2.0 * flow.scheme.smoothing_length;
         const double unit = std::pow(flow.scheme.smoothing_length, D);
         const auto share = [&](double volume, double squared) {
@@ -88,8 +91,10 @@ class DensityRelaxation final : public Component<D, Real> {
             flow.for_particles(begin, end, [&](std::size_t, std::size_t lane) {
                 const std::size_t slot = begin * cluster_size + lane;
                 fill_[slot] = static_cast<double>(task.sums.filter.zeroth[lane]);
-                for (std::size_t k = 0; k < D; ++k) {
-                    lean_[slot][k] = static_cast<double>(task.sums.filter.first[k][lane]);
+                if constexpr (up_to_surface) {
+                    for (std::size_t k = 0; k < D; ++k) {
+                        lean_[slot][k] = static_cast<double>(task.sums.filter.first[k][lane]);
+                    }
                 }
             });
             if (flow.data.fluid_wall != nullptr) {
@@ -99,16 +104,15 @@ class DensityRelaxation final : public Component<D, Real> {
                                         const double of_wall = share(
                                             static_cast<double>(flow.data.wall_gradient[j].volume), squared);
                                         fill_[i] += of_wall;
-                                        for (std::size_t k = 0; k < D; ++k) lean_[i][k] += of_wall * r[k];
+                                        if constexpr (up_to_surface) {
+                                            for (std::size_t k = 0; k < D; ++k) lean_[i][k] += of_wall * r[k];
+                                        }
                                     });
             }
             flow.for_particles(begin, end, [&](std::size_t, std::size_t lane) {
                 const std::size_t slot = begin * cluster_size + lane;
                 fill_[slot] /= full_;
-                at_surface_[slot] =
-                    D == 2 ? smoothstep<double>(0.5 * (rows_[0].lean + rows_[1].lean), 0.85 * rows_[0].lean,
-                                                lean_of(flow, slot))
-                           : 1.0 - smoothstep<double>(surface_row, below_surface_row, fill_[slot]);
+                at_surface_[slot] = in_uppermost_row(flow, slot);
             });
         });
         std::vector<double>& surplus = flow.particles.further[surplus_].values;
@@ -123,20 +127,35 @@ class DensityRelaxation final : public Component<D, Real> {
                 },
                 [&](std::size_t slot) { return at_surface_[slot] > 0.0; });
             flow.for_particles(begin, end, [&](std::size_t i, std::size_t lane) {
-                const std::size_t slot = begin * cluster_size + lane;
-                const double near = smoothstep<double>(sees_no_surface, sees_surface, sees_[slot]);
-                // In two dimensions up to the surface, but for its own row.
-                const double expected =
-                    D == 2 ? 1.0 - near * (1.0 - expected_fill(lean_of(flow, slot))) : 1.0;
-                const double share_of_it = 1.0 - (D == 2 ? at_surface_[slot] : near);
-                surplus[i] =
-                    std::clamp(fill_[slot] - expected, -largest_surplus, largest_surplus) * share_of_it;
+                surplus[i] = surplus_of(flow, begin * cluster_size + lane);
             });
         });
     }
 
-    /// How far the water around a particle leans to one side, as SurfaceRow has it: in two dimensions that
-    /// tells a row at the surface from the edge of a gap.
+    /// 1 in the uppermost row, 0 below it: by the sum, which is small at the edge of a gap too, or by how far
+    /// the water leans, which is not.
+    [[nodiscard]] double in_uppermost_row(const Flow& flow, std::size_t slot) const {
+        if constexpr (up_to_surface) {
+            const double halfway = 0.5 * (rows_[0].lean + rows_[1].lean);
+            return smoothstep<double>(halfway, 0.85 * rows_[0].lean, lean_of(flow, slot));
+        } else {
+            return 1.0 - smoothstep<double>(surface_row, below_surface_row, fill_[slot]);
+        }
+    }
+
+    /// By how much the sum is larger than that of even water there.
+    [[nodiscard]] double surplus_of(const Flow& flow, std::size_t slot) const {
+        const double near = smoothstep<double>(sees_no_surface, sees_surface, sees_[slot]);
+        double expected = 1.0;
+        double left_alone = near;
+        if constexpr (up_to_surface) {
+            expected -= near * (1.0 - expected_fill(lean_of(flow, slot)));
+            left_alone = at_surface_[slot];
+        }
+        return std::clamp(fill_[slot] - expected, -largest_surplus, largest_surplus) * (1.0 - left_alone);
+    }
+
+    /// How far the water around a particle leans to one side, as SurfaceRow has it.
     [[nodiscard]] double lean_of(const Flow& flow, std::size_t slot) const {
         double squared = 0.0;
         for (const double along : lean_[slot]) squared += along * along;

@@ -132,13 +132,13 @@ void require_subcritical_outflow(const Case& c, const EndInput& input, double fl
     throw InputError(message);
 }
 
-void require_room(const Case& c, const std::filesystem::path& file, const std::string& what, double level) {
+void require_room(const Case& c, const std::string& asking, const std::string& what, double level) {
     const double room = level_with_room(c);
     if (level > room) {
         throw FileError(fmt::format(
             "{}: {} {} over the bed; the channel has room for {}, four times its depth; give [channel] depth at "
             "least {}, and the water of the start by start.water_x and start.water_z where it is lower",
-            file.string(), what, shown_length(level - c.datum()), shown_length(room - c.datum()),
+            asking, what, shown_length(level - c.datum()), shown_length(room - c.datum()),
             shown_length(level / room * std::max(c.total_depth(), highest_end_level(c)) - c.datum())));
     }
 }
@@ -149,10 +149,9 @@ void require_room_for_rule(const Case& c, const EndInput& input, double floor) {
     for (const double time : times_of_tables(c, input)) {
         largest = std::max(largest, input.unit_discharge->at(time));
     }
-    const bool rated = c.outflow.kind == OutflowKind::rating_curve;
-    const std::filesystem::path& asking = rated                             ? c.outflow.rating_file
-                                          : c.inflow.discharge_file.empty() ? c.path
-                                                                            : c.inflow.discharge_file;
+    std::string asking = c.path.empty() ? "the case" : c.path.string();
+    if (!c.inflow.discharge_file.empty()) asking = c.inflow.discharge_file.string();
+    if (c.outflow.kind == OutflowKind::rating_curve) asking = c.outflow.rating_file.string();
     require_room(c, asking,
                  fmt::format("[outflow] kind = \"{}\" holds, at the largest discharge, {:.4g} m2/s,",
                              word(c.outflow.kind), largest),

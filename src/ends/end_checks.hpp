@@ -1,6 +1,5 @@
 #pragma once
 
-#include <filesystem>
 #include <string>
 
 #include "case/case.hpp"
@@ -24,8 +23,9 @@ void require_supercritical_inflow(const Case& c, const EndInput& input, double f
 void require_subcritical_outflow(const Case& c, const EndInput& input, double floor);
 
 /// Throws FileError where a file, or the case itself, asks for a level that the domain has no room for.
-/// \param what says whose level, as in "its largest depth is"; \param level m over z = 0
-void require_room(const Case& c, const std::filesystem::path& file, const std::string& what, double level);
+/// \param asking the file, or the case; \param what says whose level, as in "its largest depth is"; \param
+/// level m over z = 0
+void require_room(const Case& c, const std::string& asking, const std::string& what, double level);
 
 /// Throws FileError where the domain has no room for what a rating curve, a weir or the normal depth holds at
 /// the outflow under the largest discharge that enters in the time of the run. \param floor what the water

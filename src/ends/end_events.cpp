@@ -11,7 +11,6 @@ namespace {
 // Each event is over where its opposite is clear, so that one that trembles is told once.
 constexpr double wet_again = 2.0;        // over the depth of a film
 constexpr double back_share = 0.02;      // of the speed of waves: water that swings is not told
-constexpr double drowned_share = 1.5;    // of the depth that enters; a jump at Fr = 1.3 makes 1.4 of it
 constexpr double shooting_share = 1.25;  // of it, where the flow has come back
 constexpr int most_times = 5;            // that an event is told
 

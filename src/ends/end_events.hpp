@@ -7,6 +7,10 @@
 
 namespace riffle::inline ends {
 
+/// Of the depth that is to enter faster than its waves: deeper water beside the inflow drowns it. A jump at
+/// Fr = 1.3 makes 1.4 of it.
+inline constexpr double drowned_share = 1.5;
+
 /// What happens at the open ends of a channel that whoever runs it should know of: the outflow runs dry, or
 /// waits for water to hold, or water comes in through it; a jump reaches the inflow, and what enters is not
 /// the shooting flow that the case gives. Each is told when it begins and when it is over, the first times

@@ -130,7 +130,7 @@ std::shared_ptr<const EnteringFlow> entering_flow(const Case& c,
 TimeTable outflow_table(const Case& c, double floor) {
     TimeTable table = depth_table(c, c.outflow.depth, c.outflow.depth_file, floor);
     if (!c.outflow.depth_file.empty()) {
-        require_room(c, c.outflow.depth_file, "its largest depth is", table.largest() + floor);
+        require_room(c, c.outflow.depth_file.string(), "its largest depth is", table.largest() + floor);
     }
     return table;
 }
@@ -241,12 +241,12 @@ EndInput read_end_levels(const Case& c) {
     if (c.inflow.gives_depth()) {
         input.inflow_depth = depth_table(c, c.inflow.depth, c.inflow.depth_file, floors.upstream);
         if (!c.inflow.depth_file.empty()) {
-            require_room(c, c.inflow.depth_file, "its largest depth is",
+            require_room(c, c.inflow.depth_file.string(), "its largest depth is",
                          input.inflow_depth->largest() + floors.upstream);
         }
     } else if (!c.inflow.discharge_file.empty() && !is_duct(c)) {
         const double critical = critical_depth_of(c.normal_gravity(), input.unit_discharge->largest());
-        require_room(c, c.inflow.discharge_file, "critical flow with its largest discharge is",
+        require_room(c, c.inflow.discharge_file.string(), "critical flow with its largest discharge is",
                      critical + std::max(floors.upstream, floors.downstream));
     }
     if (!is_duct(c)) {

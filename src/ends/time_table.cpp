@@ -89,10 +89,10 @@ TimeTable read_time_table(const std::filesystem::path& path, const std::vector<T
                                     path.string(), table.first.front()));
     }
     // What was before the run sets none of its numerics.
-    while (table.first.size() > 1 && table.first[1] <= 0.0) {
-        table.first.erase(table.first.begin());
-        table.second.erase(table.second.begin());
-    }
+    const auto before =
+        std::upper_bound(table.first.begin(), table.first.end(), 0.0) - table.first.begin() - 1;
+    table.first.erase(table.first.begin(), table.first.begin() + before);
+    table.second.erase(table.second.begin(), table.second.begin() + before);
     if (table.first.front() < 0.0 && table.first.size() > 1) {
         table.second.front() = place_in(table.first, 0.0).in(table.second);
         table.first.front() = 0.0;

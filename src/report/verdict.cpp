@@ -7,6 +7,7 @@
 #include <optional>
 #include <utility>
 
+#include "analysis/drowned_inflow.hpp"
 #include "case/end_levels.hpp"
 #include "case/flow_kind.hpp"
 #include "column/column.hpp"
@@ -238,12 +239,9 @@ void judge_bodies(const ReportData& data, const std::vector<SummaryRow>& quantit
     judge_tailwater(quantities, verdict);
     const SummaryRow* const drowned = find_quantity(quantities, "drowned_inflow_depth");
     if (drowned != nullptr && drowned->simulated) {
-        verdict.sentences.push_back(fmt::format(
-            "The depth at the inflow is {:.4g} {}, where {:.4g} mm are to enter faster than their waves: a "
-            "jump stands there and drowns the jet. A lower depth at the outflow or a longer channel lets it "
-            "stand off.",
-            drowned->factor * drowned->simulated->value, drowned->unit,
-            1e3 * data.flow.inflow.depth.value_or(0.0)));
+        verdict.sentences.push_back(fmt::format("The depth at the inflow is {:.4g} {}, {}.",
+                                                drowned->factor * drowned->simulated->value, drowned->unit,
+                                                drowned_inflow_text(data.flow)));
     }
     const SummaryRow* const bodies = find_quantity(quantities, "solid_force_share");
     if (bodies != nullptr && bodies->simulated) {

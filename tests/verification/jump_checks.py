@@ -11,10 +11,9 @@ from options import options_text
 
 # Froude number at the inflow, 20 mm deep: unit discharge (m2/s), depth that is held at the end (mm), length (m), until and from (s), spacing (mm).
 JUMPS = {3: (0.02658, 70, 1.0, 25, 5, 2), 2.3: (0.02038, 52.5, 0.8, 15, 5, 2), 4: (0.03544, 97, 1.5, 32, 12, 2), 6: (0.05315, 146, 2.0, 11, 5, 2.5)}
-# Where the default, ten seconds, would let the jump wander as long, s.
-RELAXATION_TIMES = {4: 1}
-# Where so many gaps open in the roller that the surface behind it stands a tenth higher than the water's own depth.
-DENSITY_RELAXATIONS = {6: 0.4}
+# What else some of them need. At Fr 4 the outflow's default, ten seconds, would let the jump wander as long; at Fr 6 so many gaps open in the
+# roller that the surface behind it stands a tenth higher than the water's own depth.
+FURTHER_SETTINGS = {4: {"outflow.relaxation_time": '"1 s"'}, 6: {"numerics.density_relaxation": "0.4"}}
 
 
 def _roller(check, name, flow, q, start, begin=0.0):
@@ -56,10 +55,7 @@ def _one_jump(study, check, froude, axes, colour):
     settings = {} if froude == 3 else {
         "inflow.unit_discharge": f'"{q} m2/s"', "channel.depth": f'"{tailwater} mm"', "outflow.depth": f'"{tailwater} mm"',
         "channel.length": f'"{length} m"', "run.until": f'"{until} s"'}
-    if froude in RELAXATION_TIMES:
-        settings |= {"outflow.relaxation_time": f'"{RELAXATION_TIMES[froude]} s"'}
-    if froude in DENSITY_RELAXATIONS:
-        settings |= {"numerics.density_relaxation": str(DENSITY_RELAXATIONS[froude])}
+    settings |= FURTHER_SETTINGS.get(froude, {})
     if spacing != 2:
         settings |= {"numerics.spacing": f'"{spacing} mm"'}
     flow = study.run(f"open_jump_{froude}", case, settings)
