@@ -10,6 +10,7 @@
 #include "analysis/figure_tools.hpp"
 #include "analysis/section_parts.hpp"
 #include "base/not_a_number.hpp"
+#include "case/bed_traits.hpp"
 #include "record/twin_fields.hpp"
 #include "roughness/bed_drag.hpp"
 #include "roughness/side_wall_partition.hpp"
@@ -204,7 +205,7 @@ void analyse_bed(const FlowRecord& record, Analysis& analysis) {
         return;
     }
     add_bed_stress(record, analysis);
-    if (c.bed.kind == BedKind::spheres) {
+    if (has_spheres(c.bed)) {
         add_drag(record, analysis);
         add_maps(record, analysis);
     }

@@ -13,6 +13,7 @@
 #include "analysis/figure_tools.hpp"
 #include "analysis/fit_parts.hpp"
 #include "analysis/section_parts.hpp"
+#include "case/bed_traits.hpp"
 #include "case/flow_kind.hpp"
 #include "hydraulics/law_fits.hpp"
 #include "hydraulics/log_law.hpp"
@@ -319,7 +320,7 @@ void analyse_fits(const FlowRecord& record, Analysis& analysis) {
         add_missing(record, analysis, std::move(empty), "the results file holds no profiles of this window");
         return;
     }
-    if (c.channel.slope <= 0.0 || (!has_rough_bed(c) && c.bed.kind != BedKind::roughness)) {
+    if (c.channel.slope <= 0.0 || (!has_rough_bed(c) && !has_roughness(c.bed))) {
         add_missing(
             record, analysis, std::move(empty),
             "the laws of rough beds are fitted to the flow down a slope over spheres, solids that are part of "

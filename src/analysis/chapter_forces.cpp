@@ -10,6 +10,7 @@
 #include "analysis/figure_tools.hpp"
 #include "analysis/gauges.hpp"
 #include "analysis/momentum_budget.hpp"
+#include "case/bed_traits.hpp"
 #include "case/flow_kind.hpp"
 #include "case/porous_zone.hpp"
 #include "record/flow_fields.hpp"
@@ -235,7 +236,7 @@ void analyse_forces(const FlowRecord& record, Analysis& analysis) {
             make_finding(chapters::forces, share.key, share.label, "1", mean.mean, half_width), share.column,
             share.variant == 2 ? "steady flow" : twin_name, share.variant == 3 ? partition_remark(c) : ""));
         // Only beds of spheres have a drag of elements.
-        if (share.variant == 0 && c.bed.kind == BedKind::spheres) {
+        if (share.variant == 0 && has_spheres(c.bed)) {
             std::optional<double> expected;
             if (drag_share) expected = *drag_share * bed_weight;
             std::string remark =

@@ -13,6 +13,7 @@
 #include "analysis/secondary_flow.hpp"
 #include "analysis/section_parts.hpp"
 #include "analysis/vortices.hpp"
+#include "case/bed_traits.hpp"
 
 namespace riffle::inline analysis {
 
@@ -272,7 +273,7 @@ void add_space_vortices(const Setting& s, Analysis& analysis) {
                                  static_cast<double>(regions.size()));
     count.remark = fmt::format(
         "of at least 8 cells; Q > rms in {:.2g} % of the water{}", wet > 0.0 ? 100.0 * share / wet : 0.0,
-        s.c.bed.kind == BedKind::spheres ? "; behind the spheres the mean flow turns at each of them" : "");
+        has_spheres(s.c.bed) ? "; behind the spheres the mean flow turns at each of them" : "");
     analysis.findings.push_back(std::move(count));
     const auto middle = static_cast<std::size_t>(
         std::lower_bound(field.z.begin(), field.z.end(), s.c.crest()) - field.z.begin());

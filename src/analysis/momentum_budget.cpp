@@ -10,6 +10,7 @@
 
 #include "analysis/chapter_names.hpp"
 #include "analysis/figure_tools.hpp"
+#include "case/bed_traits.hpp"
 #include "case/flow_kind.hpp"
 #include "record/flow_fields.hpp"
 #include "record/probe_fields.hpp"
@@ -78,7 +79,7 @@ std::vector<MomentumTerm> terms_between(const FlowRecord& record, const Case& c)
     // channel they push along the bed, as deep as the kernel reaches into it (docs/theory.md 20). The
     // pressure on the sections has that part already. Beds that drag by a law or not at all have no other
     // force.
-    if (c.bed.kind == BedKind::no_slip || is_duct(c)) {
+    if (is_no_slip(c.bed) || is_duct(c)) {
         terms.push_back({"walls", "force of bed and walls, without the bodies", std::move(walls)});
     }
     return terms;

@@ -7,6 +7,7 @@
 
 #include "analysis/figure_tools.hpp"
 #include "analysis/profile_parts.hpp"
+#include "case/bed_traits.hpp"
 #include "case/flow_kind.hpp"
 #include "hydraulics/turbulence_laws.hpp"
 #include "roughness/bed_drag.hpp"
@@ -65,7 +66,7 @@ void add_stresses(const FlowRecord& record, const Profiles& p, Analysis& analysi
     add("resolved Reynolds stress", p.reynolds_stress, 2);
     add("pressure forces of pairs", p.pair_stress, 3);
     const bool grown = !c.vegetation.empty() || !c.porous.empty();
-    const bool elements = c.bed.kind == BedKind::spheres || grown;
+    const bool elements = has_spheres(c.bed) || grown;
     if (elements && p.drag.size() == p.z.size() && p.bin_lower.size() == p.z.size()) {
         add(!c.porous.empty() ? "carried by porous zones and bed above z"
             : grown           ? "carried by vegetation and bed above z"
@@ -130,7 +131,7 @@ void add_drag(const FlowRecord& record, const Profiles& p, Analysis& analysis) {
     const Case& c = *record.flow();
     const bool grown = !c.vegetation.empty();
     const PorousMedia porous(c);
-    if (c.bed.kind != BedKind::spheres && !grown && porous.empty()) return;
+    if (!has_spheres(c.bed) && !grown && porous.empty()) return;
     Figure figure = profile_figure(
         "drag_profile",
         !porous.empty() ? "Drag term of bed and porous zones"

@@ -9,6 +9,7 @@
 #include "analysis/figure_tools.hpp"
 #include "base/interpolation.hpp"
 #include "base/not_a_number.hpp"
+#include "case/bed_traits.hpp"
 #include "case/sphere_tiling.hpp"
 #include "record/flow_fields.hpp"
 #include "statistics/record.hpp"
@@ -35,7 +36,7 @@ bool between_side_walls(const FlowRecord& record) {
 }
 
 std::optional<double> lattice_period_across(const Case& c) {
-    if (c.bed.kind != BedKind::spheres) return std::nullopt;
+    if (!has_spheres(c.bed)) return std::nullopt;
     return lattice_periods(c.bed).y;
 }
 

@@ -7,6 +7,7 @@
 #include "boundary/mesh_fill.hpp"
 #include "boundary/solid_fill.hpp"
 #include "boundary/wall_particle.hpp"
+#include "case/bed_traits.hpp"
 #include "case/end_buffers.hpp"
 #include "case/end_levels.hpp"
 #include "particles/lattice.hpp"
@@ -15,7 +16,7 @@ namespace riffle::inline boundary {
 
 WallAction wall_action(const Case& c) {
     WallAction action{.dynamic = c.numerics.wall == WallKind::dynamic,
-                      .no_slip = c.bed.kind == BedKind::no_slip || c.numerics.wall == WallKind::dynamic,
+                      .no_slip = is_no_slip(c.bed) || c.numerics.wall == WallKind::dynamic,
                       .solid_no_slip = {}};
     for (const Solid& solid : c.solids) {
         action.solid_no_slip.push_back(solid.surface == SolidSurface::no_slip);

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "case/bed_traits.hpp"
 #include "case/case.hpp"
 
 namespace riffle::inline case_file {
@@ -40,19 +41,13 @@ inline constexpr double rough_wall_constant = 8.5;
 }
 
 /// Whether the bed of a case acts by a wall law.
-[[nodiscard]] inline bool has_wall_law(const Case& c) {
-    return c.bed.kind == BedKind::roughness || c.bed.kind == BedKind::smooth;
-}
+[[nodiscard]] inline bool has_wall_law(const Case& c) { return traits_of(c.bed.kind).wall_law; }
 
 /// Whether the water rests at the bed: a no-slip one, or one by a wall law.
-[[nodiscard]] inline bool rests_at_bed(const Case& c) {
-    return c.bed.kind == BedKind::no_slip || has_wall_law(c);
-}
+[[nodiscard]] inline bool rests_at_bed(const Case& c) { return is_no_slip(c.bed) || has_wall_law(c); }
 
 /// Whether the velocity over the bed has a log law: over spheres, and over a bed by a wall law.
-[[nodiscard]] inline bool has_log_law(const Case& c) {
-    return c.bed.kind == BedKind::spheres || has_wall_law(c);
-}
+[[nodiscard]] inline bool has_log_law(const Case& c) { return has_spheres(c.bed) || has_wall_law(c); }
 
 /// Rows of particles of the layer in which the friction of a plane bed acts (turbulence/wall_layer.hpp): with
 /// five the depth mean of 12 to 36 rows in their places is that of the law to half a percent

@@ -4,6 +4,7 @@
 #include <utility>
 #include <vector>
 
+#include "case/bed_traits.hpp"
 #include "case/mirror_image.hpp"
 #include "case/patch_range.hpp"
 
@@ -36,9 +37,9 @@ Bed bed_of(const Case& c, const BedPatch& patch) {
     bed.sphere_diameter = patch.sphere_diameter;
     bed.packing = patch.packing;
     bed.drag_coefficient = patch.drag_coefficient;
-    bed.roughness_height = patch.kind == BedKind::spheres ? patch.roughness_height.value_or(0.0) : 0.0;
+    bed.roughness_height = has_spheres(patch) ? patch.roughness_height.value_or(0.0) : 0.0;
     bed.datum_below_crest = bed.roughness_height - c.datum();
-    if (c.bed.kind != BedKind::spheres) bed.drag_form = DragForm::consistent;
+    if (!has_spheres(c.bed)) bed.drag_form = DragForm::consistent;
     return bed;
 }
 
@@ -73,8 +74,8 @@ Case with_bed_at(const Case& c, double x) {
 
 bool strips_have_section(const Case& c, double x) {
     const Case there = with_bed_at(c, x);
-    const auto is_plane = [](const BedPatch& patch) { return patch.kind != BedKind::spheres; };
-    return c.has_side_walls() && c.bed.kind != BedKind::spheres &&
+    const auto is_plane = [](const BedPatch& patch) { return !has_spheres(patch); };
+    return c.has_side_walls() && !has_spheres(c.bed) &&
            std::all_of(there.bed_patches.begin(), there.bed_patches.end(), is_plane) &&
            without_image(there, there.bed_patches) == nullptr;
 }

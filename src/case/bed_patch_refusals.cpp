@@ -2,6 +2,7 @@
 #include <utility>
 
 #include "case/bed_patch.hpp"
+#include "case/bed_traits.hpp"
 #include "case/flow_kind.hpp"
 #include "case/patch_checks.hpp"
 #include "case/refusals.hpp"
@@ -32,7 +33,7 @@ Findings refused_as_bed(const Case& c, const BedPatch& patch) {
         });
     };
     look(wall_law_refusals());
-    if (patch.kind == BedKind::spheres) {
+    if (has_spheres(patch)) {
         look(bed_refusals());
         look(sphere_refusals());
     }
@@ -66,7 +67,7 @@ CheckList bed_patch_refusals() {
                  "the water rests at all walls of such a channel",
                  R"(choose [bed] kind = "roughness", "smooth", "spheres" or "slip", and one of them for the patch)",
                  [](const Case& c, const BedPatch& patch) {
-                     return found_if(patch.kind == BedKind::no_slip || c.bed.kind == BedKind::no_slip,
+                     return found_if(is_no_slip(patch) || is_no_slip(c.bed),
                                      R"(kind is "{}" in a channel with bed.kind = "{}")", word(patch.kind),
                                      word(c.bed.kind));
                  },
@@ -82,7 +83,7 @@ CheckList bed_patch_refusals() {
                  "a bed of spheres needs a roughness zone",
                  "give the height of their crests above the bed level",
                  [](const Case&, const BedPatch& patch) {
-                     return found_if(patch.kind == BedKind::spheres && !patch.roughness_height,
+                     return found_if(has_spheres(patch) && !patch.roughness_height,
                                      "roughness_height is missing");
                  },
                  true},

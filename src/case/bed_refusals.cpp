@@ -1,6 +1,7 @@
 #include <utility>
 
 #include "case/bed_friction.hpp"
+#include "case/bed_traits.hpp"
 #include "case/flow_kind.hpp"
 #include "case/outline_check.hpp"
 #include "case/refusals.hpp"
@@ -32,7 +33,7 @@ constexpr double most_roughness = 0.5;
 /// Rows of particles over the depth of which the five of the wall layer (docs/theory.md, section 8) are few.
 constexpr double fewest_rows = 10.0;
 
-bool by_roughness(const Case& c) { return c.bed.kind == BedKind::roughness; }
+bool by_roughness(const Case& c) { return has_roughness(c.bed); }
 
 /// Manning's n of the uniform flow of the log law over a height of zero velocity, at the depth of the case.
 double manning_over(const Case& c, double zero_height) {
@@ -112,7 +113,7 @@ CheckList wall_law_refusals() {
              "the friction of a smooth wall is that of its viscous layer",
              "give the viscosity of the water, 1e-6",
              [](const Case& c) {
-                 return c.bed.kind == BedKind::smooth && c.fluid.kinematic_viscosity <= 0.0;
+                 return has_wall_law(c) && !has_roughness(c.bed) && c.fluid.kinematic_viscosity <= 0.0;
              }},
             {{"bed.kind", "numerics.wall"},
              "a bed by a wall law with `wall = \"dynamic\"`",

@@ -2,6 +2,7 @@
 
 #include <utility>
 
+#include "case/bed_traits.hpp"
 #include "case/closure_traits.hpp"
 #include "case/units.hpp"
 
@@ -70,12 +71,14 @@ SectionKeys bed() {
     const auto key = [](const char* name, auto member, const char* meaning) {
         return make_key("bed", name, &Case::bed, member, meaning);
     };
+    const std::vector<std::string> spheres = beds_where([](const BedTraits& t) { return t.spheres; });
+    const std::vector<std::string> roughness = beds_where([](const BedTraits& t) { return t.roughness; });
     const char* const plane = "0 for a plane bed";
     s.keys.push_back(key("kind", &Bed::kind, "Kind of the bed."));
     s.keys.push_back(key("sphere_diameter", &Bed::sphere_diameter, "Diameter D of the bed's spheres.")
                          .measured_in(length)
                          .greater_than(0)
-                         .applies_with("bed.kind", {"spheres"}));
+                         .applies_with("bed.kind", spheres));
     s.keys.push_back(key("packing", &Bed::packing, "Arrangement of the spheres, seen from above.")
                          .applies_with("bed.drag_form", {"consistent", "slice", "thesis", "plan-mean"}));
     s.keys.push_back(
@@ -99,9 +102,9 @@ SectionKeys bed() {
                          .at_least(0)
                          .at_most(10)
                          .because("bluff bodies have 0.3 to 2")
-                         .applies_with("bed.kind", {"spheres"}));
+                         .applies_with("bed.kind", spheres));
     s.keys.push_back(key("drag_form", &Bed::drag_form, "How the drag enters the momentum equation.")
-                         .applies_with("bed.kind", {"spheres"}));
+                         .applies_with("bed.kind", spheres));
     s.keys.push_back(
         key("sphere_ramp", &Bed::sphere_ramp,
             "Length over which the drag of a sphere sets in around its surface (the shape factor phi).")
@@ -115,7 +118,7 @@ SectionKeys bed() {
                          .greater_than(0)
                          .unset_by("none", "from `manning`")
                          .with_example("\"1 mm\"")
-                         .applies_with("bed.kind", {"roughness"}, true));
+                         .applies_with("bed.kind", roughness, true));
     s.keys.push_back(
         key("manning", &Bed::manning,
             "Manning's n of the uniform flow at the depth of the case, s/m^(1/3), from which the "
@@ -125,7 +128,7 @@ SectionKeys bed() {
             .because("glass has 0.009, floodplains with trees 0.2")
             .unset_by("none", "from `equivalent_roughness`")
             .with_example("0.02")
-            .applies_with("bed.kind", {"roughness"}, true));
+            .applies_with("bed.kind", roughness, true));
     return s;
 }
 

@@ -1,3 +1,4 @@
+#include "case/bed_traits.hpp"
 #include "case/refusals.hpp"
 #include "case/units.hpp"
 #include "case/words.hpp"
@@ -67,7 +68,7 @@ CheckList channel_refusals() {
          R"(`kind = "no-slip"` with `channel.top = "periodic"`)",
          "where the top joins the bottom there is no bed",
          "set kind = \"slip\"",
-         [](const Case& c) { return has_periodic_top(c) && c.bed.kind == BedKind::no_slip; }},
+         [](const Case& c) { return has_periodic_top(c) && is_no_slip(c.bed); }},
         {{"fluid.gravity", "channel.top"},
          "`gravity` other than 0 with `channel.top = \"periodic\"`",
          "gravity must be 0 where no bed carries the water",
@@ -92,7 +93,7 @@ CheckList channel_refusals() {
          "`lid_velocity` without `bed.kind = \"no-slip\"`",
          "a lid without friction does not move the water, and the bed's kind is that of all walls",
          "set [bed] kind = \"no-slip\"",
-         [](const Case& c) { return has_lid(c) && c.bed.kind != BedKind::no_slip; }},
+         [](const Case& c) { return has_lid(c) && !is_no_slip(c.bed); }},
         {{"channel.lid_velocity", "numerics.wall"},
          "`lid_velocity` without `numerics.wall = \"dummy\"`",
          "the particles of the other walls stand still",

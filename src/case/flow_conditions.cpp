@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "base/error.hpp"
+#include "case/bed_traits.hpp"
 #include "case/case_text.hpp"
 #include "case/key.hpp"
 #include "case/nearest.hpp"
@@ -260,7 +261,7 @@ Case builtin_case(std::string_view name) {
 
 std::optional<int> flow_condition_of(const Case& c) {
     constexpr double close = 1e-6;  // m, and of the slope: cases are written with four digits
-    if (c.bed.kind != BedKind::spheres || std::abs(c.bed.sphere_diameter - Bed{}.sphere_diameter) > close) {
+    if (!has_spheres(c.bed) || std::abs(c.bed.sphere_diameter - Bed{}.sphere_diameter) > close) {
         return std::nullopt;
     }
     for (std::size_t i = 0; i < conditions.size(); ++i) {

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "case/bed_traits.hpp"
 #include "case/closure_traits.hpp"
 #include "case/cross_section.hpp"
 #include "case/porous_zone.hpp"
@@ -92,17 +93,8 @@ bool has_bodies(const Case& c) { return std::any_of(c.solids.begin(), c.solids.e
 bool has_solid_bed(const Case& c) { return !std::all_of(c.solids.begin(), c.solids.end(), is_body); }
 
 bool bed_resists(const Bed& bed) {
-    switch (bed.kind) {
-        case BedKind::spheres:
-            return bed.drag_coefficient > 0.0 && bed.roughness_height > 0.0;
-        case BedKind::no_slip:
-        case BedKind::roughness:
-        case BedKind::smooth:
-            return true;
-        case BedKind::slip:
-            break;
-    }
-    return false;
+    if (has_spheres(bed)) return bed.drag_coefficient > 0.0 && bed.roughness_height > 0.0;
+    return is_no_slip(bed) || traits_of(bed.kind).wall_law;
 }
 
 const Vegetation* vegetation_everywhere(const Case& c) {

@@ -3,6 +3,7 @@
 #include <optional>
 #include <string>
 
+#include "case/bed_traits.hpp"
 #include "case/case.hpp"
 #include "case/patch_range.hpp"
 
@@ -65,9 +66,7 @@ enum class FlowKind {
 [[nodiscard]] bool has_solid_bed(const Case& c);
 
 /// Whether the bed has elements with crests, and a datum among them: spheres by their drag, or solids.
-[[nodiscard]] inline bool has_rough_bed(const Case& c) {
-    return c.bed.kind == BedKind::spheres || has_solid_bed(c);
-}
+[[nodiscard]] inline bool has_rough_bed(const Case& c) { return has_spheres(c.bed) || has_solid_bed(c); }
 
 /// Whether a bed holds the water back.
 [[nodiscard]] bool bed_resists(const Bed& bed);

@@ -2,6 +2,7 @@
 #include <optional>
 
 #include "case/bed_patch.hpp"
+#include "case/bed_traits.hpp"
 #include "case/end_buffers.hpp"
 #include "case/end_floor.hpp"
 #include "case/end_levels.hpp"
@@ -131,7 +132,7 @@ CheckList inflow_refusals() {
              "the twin's profile is that over the bed",
              "choose profile = \"uniform\", or another",
              [](const Case& c) {
-                 return end_floors(c).upstream > 0.0 && enters_as_twin(c) && c.bed.kind != BedKind::no_slip;
+                 return end_floors(c).upstream > 0.0 && enters_as_twin(c) && !is_no_slip(c.bed);
              }},
         },
         [](const Case& c) { return c.channel.ends == Ends::open; }};

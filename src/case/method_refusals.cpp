@@ -1,3 +1,4 @@
+#include "case/bed_traits.hpp"
 #include "case/flow_kind.hpp"
 #include "case/refusals.hpp"
 #include "case/velocity_gradient.hpp"
@@ -118,7 +119,7 @@ CheckList method_refusals() {
          R"(`wall = "repulsive"` with `bed.kind = "no-slip"`)",
          "repulsive walls push along the normal alone, and nothing holds the water back along it",
          R"(choose [bed] kind = "slip" or "spheres", or wall = "dummy")",
-         [](const Case& c) { return repels(c) && c.bed.kind == BedKind::no_slip; }},
+         [](const Case& c) { return repels(c) && is_no_slip(c.bed); }},
         {{"numerics.wall", "channel.top"},
          "`wall = \"repulsive\"` without a free surface",
          "their force scales with the depth below a free surface, which must be there",

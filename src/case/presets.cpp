@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "case/bed_friction.hpp"
+#include "case/bed_traits.hpp"
 
 namespace riffle::inline case_file {
 
@@ -85,7 +86,7 @@ void choose_resolution(Case& c, const GivenNumerics& given) {
     Numerics& n = c.numerics;
     if (n.preset != Preset::riffle && n.preset != Preset::violent) return;
     const bool space = c.channel.dimensions == 3;
-    if (c.bed.kind == BedKind::spheres && n.preset == Preset::riffle) {
+    if (has_spheres(c.bed) && n.preset == Preset::riffle) {
         // Five rows below the crests and thirty over the depth at least; in space, where each halving costs
         // sixteen times as much, half as many.
         const double rows = space ? 0.5 : 1.0;

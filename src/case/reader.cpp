@@ -11,6 +11,7 @@
 #include "case/bed_friction.hpp"
 #include "case/bed_heights.hpp"
 #include "case/bed_surface.hpp"
+#include "case/bed_traits.hpp"
 #include "case/case.hpp"
 #include "case/case_text.hpp"
 #include "case/conversion.hpp"
@@ -116,7 +117,7 @@ void require_keys(const Case& c, const Document& document, const Places& places,
             }
         }
     }
-    if (c.bed.kind == BedKind::spheres) require_key(*find_key("bed.roughness_height"), 0, places, problems);
+    if (has_spheres(c.bed)) require_key(*find_key("bed.roughness_height"), 0, places, problems);
 }
 
 /// Defaults that follow from other keys.
@@ -126,7 +127,7 @@ void set_dependent_defaults(Case& c, const Values& values) {
         if (given != values.end()) given->first.first->set(c, given->second);
     }
     c.numerics = preset_numerics(c.numerics.preset, c.channel.dimensions);
-    if (c.bed.kind != BedKind::spheres) {
+    if (!has_spheres(c.bed)) {
         c.bed.roughness_height = 0.0;
         c.bed.datum_below_crest = 0.0;
         if (c.has_side_walls()) {
@@ -246,7 +247,7 @@ void make_shapes(Case& c, const Places& places, Problems& problems) {
 
 /// The crests of a bed of solids are its highest points, unless the case says otherwise.
 void set_crests_of_solids(Case& c, const Places& places) {
-    if (places.given("bed.roughness_height") || c.bed.kind == BedKind::spheres) return;
+    if (places.given("bed.roughness_height") || has_spheres(c.bed)) return;
     if (const auto highest = highest_of_solid_bed(c)) c.bed.roughness_height = std::max(0.0, *highest);
 }
 

@@ -7,6 +7,7 @@
 #include <system_error>
 #include <vector>
 
+#include "case/bed_traits.hpp"
 #include "case/case_check.hpp"
 #include "case/problems.hpp"
 
@@ -66,7 +67,7 @@ void refuse_to_run(const Case& c);
 // What several of them ask.
 
 inline bool in_space(const Case& c) { return c.channel.dimensions == 3; }
-inline bool over_spheres(const Case& c) { return c.bed.kind == BedKind::spheres; }
+inline bool over_spheres(const Case& c) { return has_spheres(c.bed); }
 inline bool has_free_surface(const Case& c) { return c.channel.top == Top::free_surface; }
 
 /// Whether an item of a list has the name of one before it.

@@ -2,6 +2,7 @@
 #include <cmath>
 
 #include "case/bed_friction.hpp"
+#include "case/bed_traits.hpp"
 #include "case/conversion.hpp"
 #include "case/flow_kind.hpp"
 #include "case/key_table.hpp"
@@ -201,7 +202,7 @@ CheckList side_wall_refusals() {
              R"(`drag_form = "log-law"` with `bed.kind = "no-slip"`)",
              "the water rests at the side walls too, and their friction would count twice",
              R"(choose drag_form = "none", or another bed)",
-             [](const Case& c) { return by_log_law(c) && c.bed.kind == BedKind::no_slip; },
+             [](const Case& c) { return by_log_law(c) && is_no_slip(c.bed); },
              true},
             {{"side_walls.drag_form", "turbulence.closure"},
              R"(`drag_form = "log-law"` with `turbulence.closure = "none"`)",
@@ -215,8 +216,7 @@ CheckList side_wall_refusals() {
              "give the viscosity of the water, 1e-6, or an equivalent_roughness of the walls",
              [](const Case& c) {
                  return by_log_law(c) && c.fluid.kinematic_viscosity <= 0.0 &&
-                        c.side_walls.equivalent_roughness.value_or(
-                            c.bed.kind == BedKind::roughness ? 1.0 : 0.0) <= 0.0;
+                        c.side_walls.equivalent_roughness.value_or(has_roughness(c.bed) ? 1.0 : 0.0) <= 0.0;
              },
              true},
             {{"side_walls.equivalent_roughness", "side_walls.layer"},

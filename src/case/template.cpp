@@ -5,6 +5,7 @@
 #include <sstream>
 #include <vector>
 
+#include "case/bed_traits.hpp"
 #include "case/case_documents.hpp"
 #include "case/conversion.hpp"
 #include "case/key_table.hpp"
@@ -89,7 +90,7 @@ Case defaults_of(const Case& c) {
     defaults.start.lattice = chosen.start.lattice;
     defaults.start.settling_time = chosen.start.settling_time;
     defaults.bed.kind = c.bed.kind;
-    if (c.bed.kind != BedKind::spheres) defaults.bed.datum_below_crest = 0.0;
+    if (!has_spheres(c.bed)) defaults.bed.datum_below_crest = 0.0;
     return defaults;
 }
 

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "case/bed_friction.hpp"
+#include "case/bed_traits.hpp"
 #include "case/conversion.hpp"
 #include "case/end_levels.hpp"
 #include "case/flow_kind.hpp"
@@ -105,16 +106,12 @@ CheckList make_warnings() {
          "`kind = \"no-slip\"` with a closure of the mean flow",
          "a no-slip bed with a mixing length is under-resolved at this kind of spacing",
          "compare two spacings",
-         [](const Case& c) {
-             return has_closure(c) && !resolves_eddies(c) && c.bed.kind == BedKind::no_slip;
-         }},
+         [](const Case& c) { return has_closure(c) && !resolves_eddies(c) && is_no_slip(c.bed); }},
         {{"bed.kind", "turbulence.closure"},
          "`kind = \"no-slip\"` with resolved eddies, no bed of solids over it",
          "beside a plane bed at which the water rests the particles that overtake each other in its shear push each other up and down, and this noise takes the place of the eddies (docs/theory.md, section 7, what the particles do to eddies)",
          "compare two spacings; a bed of solid spheres, or of measured heights, was run with resolved eddies",
-         [](const Case& c) {
-             return resolves_eddies(c) && c.bed.kind == BedKind::no_slip && !covers_bed(c);
-         }},
+         [](const Case& c) { return resolves_eddies(c) && is_no_slip(c.bed) && !covers_bed(c); }},
         {{"numerics.spacing", "bed.equivalent_roughness"},
          "over a bed by roughness a spacing below k_s/33, the height of zero velocity of its log law",
          "the rows are finer than what the law says of the flow among the elements",
@@ -122,7 +119,7 @@ CheckList make_warnings() {
          [](const Case& c) {
              const double zero =
                  zero_height_of_roughness(c.bed.equivalent_roughness.value_or(0.0), c.turbulence.kappa);
-             return found_if(c.bed.kind == BedKind::roughness && c.numerics.spacing < zero,
+             return found_if(has_roughness(c.bed) && c.numerics.spacing < zero,
                              "{} is below the height of zero velocity of the log law, {}",
                              shown_length(c.numerics.spacing), fmt::format("{:.2g} mm", 1e3 * zero));
          }},

@@ -6,6 +6,7 @@
 #include <array>
 
 #include "base/error.hpp"
+#include "case/bed_traits.hpp"
 #include "case/closure_traits.hpp"
 #include "case/flow_kind.hpp"
 
@@ -13,8 +14,8 @@ namespace riffle::inline column {
 
 namespace {
 
-bool plane(const Case& c) { return c.bed.kind == BedKind::roughness; }
-bool spheres(const Case& c) { return c.bed.kind == BedKind::spheres; }
+bool plane(const Case& c) { return has_roughness(c.bed); }
+bool spheres(const Case& c) { return has_spheres(c.bed); }
 
 bool has_kappa(const Case& c) { return traits_of(c.turbulence.closure).has_kappa; }
 

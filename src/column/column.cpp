@@ -9,6 +9,7 @@
 
 #include "base/error.hpp"
 #include "base/interpolation.hpp"
+#include "case/bed_traits.hpp"
 #include "column/centreline.hpp"
 #include "column/column_grid.hpp"
 #include "column/momentum_balance.hpp"
@@ -160,7 +161,7 @@ ColumnResult solve_column(const Case& c, int cells) {
     const ColumnProfile& p = result.profile;
     result.depth_mean_velocity = mean_above(grid, balance, u, c.datum());
     result.total_mean_velocity = mean_above(grid, balance, u, 0.0);
-    const bool wall_above = c.bed.kind == BedKind::no_slip && c.channel.top == Top::wall;
+    const bool wall_above = is_no_slip(c.bed) && c.channel.top == Top::wall;
     const double to_surface = grid.face.back() - grid.centre.back();
     result.surface_velocity =
         wall_above ? 0.0

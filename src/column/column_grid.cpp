@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "base/error.hpp"
+#include "case/bed_traits.hpp"
 #include "case/porous_zone.hpp"
 #include "turbulence/wall_law.hpp"
 
@@ -32,7 +33,7 @@ std::vector<double> column_breakpoints(const Case& c) {
         heights.push_back(c.turbulence.zero +
                           c.turbulence.lambda / c.turbulence.kappa * (depth - c.turbulence.zero));
     }
-    if (c.channel.dimensions == 3 && c.bed.kind == BedKind::spheres) {
+    if (c.channel.dimensions == 3 && has_spheres(c.bed)) {
         // The ends of the ramp over which the drag of a sphere sets in.
         heights.push_back(c.crest() - 0.5 * c.sphere_ramp());
         heights.push_back(c.crest() + 0.5 * c.sphere_ramp());

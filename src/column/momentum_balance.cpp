@@ -4,6 +4,7 @@
 #include <cmath>
 #include <cstddef>
 
+#include "case/bed_traits.hpp"
 #include "case/flow_kind.hpp"
 #include "roughness/bed_drag.hpp"
 #include "roughness/vegetation.hpp"
@@ -28,7 +29,7 @@ MomentumBalance::MomentumBalance(const Case& c, const ColumnGrid& grid)
     : weight_(c.streamwise_gravity()),
       viscosity_(c.fluid.kinematic_viscosity),
       wall_below_(rests_at_bed(c)),
-      wall_above_(c.bed.kind == BedKind::no_slip && c.channel.top == Top::wall),
+      wall_above_(is_no_slip(c.bed) && c.channel.top == Top::wall),
       depth_(grid.face.back()) {
     const std::size_t n = grid.centre.size();
     thickness_.resize(n);

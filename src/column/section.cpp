@@ -8,6 +8,7 @@
 #include <optional>
 
 #include "base/error.hpp"
+#include "case/bed_traits.hpp"
 #include "case/flow_kind.hpp"
 #include "case/mirror_image.hpp"
 #include "case/patch_range.hpp"
@@ -161,7 +162,7 @@ std::optional<std::string> other_than_strips(const Case& c) {
                 "its {}",
                 patch.name, is_outlined(patch) ? "outline" : "x_from and x_to");
         }
-        if (patch.kind == BedKind::spheres || c.bed.kind == BedKind::spheres) {
+        if (has_spheres(patch) || has_spheres(c.bed)) {
             return fmt::format(
                 "the patch \"{}\" of the bed or what lies beside it is of spheres, and the balance of the cross-section "
                 "has strips of plane beds alone: give them by equivalent_roughness or manning",

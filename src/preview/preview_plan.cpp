@@ -10,6 +10,7 @@
 #include "boundary/wall.hpp"
 #include "boundary/wall_motion.hpp"
 #include "case/bed_surface.hpp"
+#include "case/bed_traits.hpp"
 #include "case/outline.hpp"
 #include "case/outline_check.hpp"
 #include "case/packed_start.hpp"
@@ -204,7 +205,7 @@ void draw_plan(SvgSheet& sheet, const Case& c, const PreviewPlan& plan, const Sh
                                 : std::pair(Extent(c.start.water_x).low, Extent(c.start.water_x).high);
     sheet.rectangle(view.x(from), view.y(width), view.x(to) - view.x(from), view.y(0.0) - view.y(width),
                     fmt::format(R"(fill="{}")", water_colour));
-    if (c.bed.kind == BedKind::spheres) {
+    if (has_spheres(c.bed)) {
         std::vector<Point3> centres = SphereLattice(c).centres(length, width);
         const std::size_t count = centres.size();
         for (std::size_t i = 0; i < count && c.channel.ends == Ends::periodic; ++i) {

@@ -7,6 +7,7 @@
 
 #include "analysis/bodies.hpp"
 #include "analysis/run_snapshots.hpp"
+#include "case/bed_traits.hpp"
 #include "case/end_buffers.hpp"
 #include "case/flow_kind.hpp"
 #include "case/patch_range.hpp"
@@ -152,7 +153,7 @@ std::vector<std::string> chosen_snapshots(const RunResults& results, const Case&
 /// The spheres of the bed that the plane at y cuts.
 std::vector<Circle> sphere_cuts(const Case& c, double y) {
     std::vector<Circle> circles;
-    if (c.bed.kind != BedKind::spheres) return circles;
+    if (!has_spheres(c.bed)) return circles;
     const double radius = 0.5 * c.bed.sphere_diameter;
     for (const auto& centre : SphereLattice(c).centres(c.channel.length, c.channel.simulated_width())) {
         const double beside = std::abs(centre[1] - y);

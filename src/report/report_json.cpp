@@ -7,6 +7,7 @@
 #include <cstdint>
 #include <limits>
 
+#include "case/bed_traits.hpp"
 #include "case/flow_kind.hpp"
 #include "report/base64.hpp"
 #include "report/field_data.hpp"
@@ -25,7 +26,7 @@ Json geometry_json(const ReportData& data) {
             {"datum", c.datum()},
             {"crest", c.crest()},
             {"spacing", c.numerics.spacing},
-            {"rough", c.bed.kind == BedKind::spheres},
+            {"rough", has_spheres(c.bed)},
             {"bed", c.channel.top != Top::periodic},
             {"lid", c.channel.top == Top::wall ? Json(c.total_depth()) : Json(nullptr)},
             {"ends", closed ? Json(c.channel.wall_height.value_or(1.5 * c.total_depth())) : Json(nullptr)},

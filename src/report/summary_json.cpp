@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include "case/bed_traits.hpp"
 #include "case/flow_kind.hpp"
 #include "record/run_fields.hpp"
 
@@ -35,7 +36,7 @@ std::string flow_line(const ReportData& data) {
     const Case& c = data.flow;
     return fmt::format("Riffle {} · water depth {:.4g} mm above the datum, slope {:.4g}{}",
                        data.riffle_version, 1000 * c.channel.depth, c.channel.slope,
-                       c.bed.kind == BedKind::spheres
+                       has_spheres(c.bed)
                            ? fmt::format(", spheres of {:.3g} mm", 1000 * c.bed.sphere_diameter)
                            : std::string{});
 }

@@ -5,6 +5,7 @@
 #include <cassert>
 #include <cstddef>
 
+#include "case/bed_traits.hpp"
 #include "roughness/consistent_drag.hpp"
 #include "roughness/paper_drag.hpp"
 #include "roughness/sphere_drag.hpp"
@@ -123,7 +124,7 @@ constexpr std::array registry{
 }  // namespace
 
 std::unique_ptr<const BedDrag> make_bed_drag(const Case& c) {
-    if (c.bed.kind != BedKind::spheres) return nullptr;
+    if (!has_spheres(c.bed)) return nullptr;
     const auto* const entry = std::find_if(registry.begin(), registry.end(),
                                            [&c](const Registration& r) { return r.form == c.bed.drag_form; });
     assert(entry != registry.end());

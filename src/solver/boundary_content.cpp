@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "boundary/wall.hpp"
+#include "case/bed_traits.hpp"
 #include "case/solid_mesh.hpp"
 #include "record/field_content.hpp"
 #include "record/particle_fields.hpp"
@@ -84,7 +85,7 @@ BoundaryContent::BoundaryContent(const Case& c) : motion_(c) {
             }
         }
     }
-    if (c.bed.kind == BedKind::spheres) {
+    if (has_spheres(c.bed)) {
         sphere_diameter_ = c.bed.sphere_diameter;
         for (const auto& centre : SphereLattice(c).centres(c.channel.length, c.channel.simulated_width())) {
             for (const double x : centre) sphere_.push_back(static_cast<float>(x));

@@ -9,6 +9,7 @@
 #include <string>
 
 #include "base/parallel.hpp"
+#include "case/bed_traits.hpp"
 #include "case/end_buffers.hpp"
 #include "particles/lattice.hpp"
 #include "record/flow_fields.hpp"
@@ -294,8 +295,7 @@ template void TimeSeries::sample(const SimulationIn<2>&, double);
 template void TimeSeries::sample(const SimulationIn<3>&, double);
 
 double centreline_half_strip(const Case& c) {
-    return c.bed.kind == BedKind::spheres ? 0.5 * std::numbers::sqrt3 * c.bed.sphere_diameter
-                                          : 0.05 * c.channel.width;
+    return has_spheres(c.bed) ? 0.5 * std::numbers::sqrt3 * c.bed.sphere_diameter : 0.05 * c.channel.width;
 }
 
 }  // namespace riffle::inline solver

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "base/unit_fraction.hpp"
+#include "case/bed_traits.hpp"
 #include "case/flow_kind.hpp"
 #include "solver/start_streaks.hpp"
 
@@ -184,9 +185,9 @@ double start_perturbation(const Case& c) {
     const double friction_velocity = std::sqrt(std::max(0.0, c.streamwise_gravity() * c.channel.depth));
     // Enough to trip the eddies, which else grow from the rounding of the arithmetic.
     if (resolves_eddies(c) && c.start.kind != StartKind::results) return friction_velocity;
-    const bool quiet = c.channel.dimensions == 2 && c.bed.kind == BedKind::spheres &&
-                       c.channel.ends == Ends::periodic && c.channel.top == Top::free_surface &&
-                       c.solids.empty() && c.numerics.preset == Preset::riffle;
+    const bool quiet = c.channel.dimensions == 2 && has_spheres(c.bed) && c.channel.ends == Ends::periodic &&
+                       c.channel.top == Top::free_surface && c.solids.empty() &&
+                       c.numerics.preset == Preset::riffle;
     const bool flows = c.start.kind == StartKind::column || c.start.kind == StartKind::uniform ||
                        c.start.kind == StartKind::power_law;
     if (!quiet || !flows) return 0.0;

@@ -8,6 +8,7 @@
 #include "base/error.hpp"
 #include "base/interpolation.hpp"
 #include "case/bed_patch.hpp"
+#include "case/bed_traits.hpp"
 #include "turbulence/closure.hpp"
 
 namespace riffle::inline turbulence {
@@ -122,17 +123,17 @@ WallLaw make_wall_law(double kappa, double rough_zero_height, double viscous_len
 }
 
 double equivalent_roughness(const Case& c) {
-    if (c.bed.kind != BedKind::roughness) return 0.0;
+    if (!has_roughness(c.bed)) return 0.0;
     return c.bed.equivalent_roughness ? *c.bed.equivalent_roughness : roughness_of_manning(c);
 }
 
 Case with_fixed_roughness(Case c) {
-    if (c.bed.kind == BedKind::roughness) {
+    if (has_roughness(c.bed)) {
         c.bed.equivalent_roughness = equivalent_roughness(c);
         c.bed.manning.reset();
     }
     for (BedPatch& patch : c.bed_patches) {
-        if (patch.kind == BedKind::roughness) {
+        if (has_roughness(patch)) {
             patch.equivalent_roughness = equivalent_roughness(with_bed_of(c, patch));
             patch.manning.reset();
         }
