@@ -17,7 +17,8 @@ namespace riffle::inline boundary {
 WallAction wall_action(const Case& c) {
     WallAction action{.dynamic = c.numerics.wall == WallKind::dynamic,
                       .no_slip = is_no_slip(c.bed) || c.numerics.wall == WallKind::dynamic,
-                      .solid_no_slip = {}};
+                      .solid_no_slip = {},
+                      .mirror = c.channel.sides == Sides::half};
     for (const Solid& solid : c.solids) {
         action.solid_no_slip.push_back(solid.surface == SolidSurface::no_slip);
     }
@@ -145,12 +146,15 @@ WallParticles<3> wall_particles<3>(const Case& c) {
     const bool dynamic = c.numerics.wall == WallKind::dynamic;
     const bool lid = c.channel.top == Top::wall;
     // A place beyond the bed, the lid, a side or an end; beyond two or three of them it is an edge or a
-    // corner. There all motion counts but that along the edge; it belongs to the walls at rest.
+    // corner. There all motion counts but that along the edge; it belongs to the walls at rest. Behind a
+    // plane of symmetry walls at which the water rests go on.
+    const bool walls_go_on = c.channel.sides == Sides::half && is_no_slip(c.bed);
     const auto add = [&](const Vec<3>& x, const std::array<int, 3>& faces, double behind) {
-        const int walls = std::abs(faces[0]) + std::abs(faces[1]) + std::abs(faces[2]);
+        const bool image = walls_go_on && faces[1] < 0 && (faces[0] != 0 || faces[2] != 0);
+        const int walls = std::abs(faces[0]) + (image ? 0 : std::abs(faces[1])) + std::abs(faces[2]);
         for (std::size_t k = 0; k < 3; ++k) {
             wall.position[k].push_back(x[k]);
-            wall.normal[k].push_back(walls == 1 ? faces[k] : 0.0);
+            wall.normal[k].push_back(walls == 1 && !(image && k == 1) ? faces[k] : 0.0);
             for (std::size_t l = 0; l < 3; ++l) {
                 wall.projector[3 * k + l].push_back(k == l && faces[k] != 0 ? 1.0 : 0.0);
             }

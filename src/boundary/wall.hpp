@@ -1,5 +1,8 @@
 #pragma once
 
+#include <cstddef>
+#include <vector>
+
 #include "boundary/wall_motion.hpp"
 #include "case/case.hpp"
 #include "particles/particles.hpp"
@@ -17,12 +20,16 @@ struct WallAction {
     bool dynamic = false;  ///< density from the continuity equation (Dalrymple & Knio 2001), not extrapolated
     bool no_slip = false;  ///< viscous friction with the bed, end walls and lid
     std::vector<bool> solid_no_slip;  ///< and with each solid
+    bool mirror = false;              ///< The far side is a plane of symmetry, which holds no water back.
 
     /// Whether the water rests at a particle of the walls.
     template <int D>
     [[nodiscard]] bool rests_at(const WallParticles<D>& walls, std::size_t i) const {
-        return is_solid(walls, i) ? solid_no_slip[static_cast<std::size_t>(walls.body[i] - first_solid)]
-                                  : no_slip;
+        if (is_solid(walls, i)) return solid_no_slip[static_cast<std::size_t>(walls.body[i] - first_solid)];
+        if constexpr (D == 3) {
+            if (mirror && walls.normal[1][i] < 0.0) return false;
+        }
+        return no_slip;
     }
 };
 [[nodiscard]] WallAction wall_action(const Case& c);

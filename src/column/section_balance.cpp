@@ -58,6 +58,7 @@ SectionBalance::SectionBalance(const Case& c, const SectionGrid& grid)
       rows_(grid.rows()),
       weight_(c.streamwise_gravity()),
       viscosity_(c.fluid.kinematic_viscosity),
+      rests_beside_(is_no_slip(c.bed)),
       wall_form_(c.side_walls.drag_form) {
     const auto size = static_cast<Eigen::Index>(grid.size());
     area_.resize(size);
@@ -77,7 +78,9 @@ SectionBalance::SectionBalance(const Case& c, const SectionGrid& grid)
     for (std::size_t iy = 0; iy < columns_; ++iy) {
         bed_extent_.push_back(grid.y_face[iy + 1] - grid.y_face[iy]);
     }
+    for (std::size_t iz = 0; iz < rows_; ++iz) wall_extent_.push_back(grid.z_face[iz + 1] - grid.z_face[iz]);
     bed_distance_ = grid.z.front() - grid.z_face.front();
+    wall_distance_ = grid.y.front() - grid.y_face.front();
     if (wall_form_ == SideDragForm::consistent) {
         // Half of the section has half of the bed and one wall.
         wall_over_bed_ = 2.0 * side_wall_partition(c).wall_over_bed;
@@ -170,7 +173,7 @@ void SectionBalance::add_faces(const Case& c, const SectionGrid& grid) {
         const double high = grid.z_face[iz + 2] - grid.z_face[iz + 1];
         for (std::size_t iy = 0; iy < columns_; ++iy) {
             const std::array<double, 3> weights =
-                gradient_weights(grid.y, grid.y_face, iy, End::open, End::mirror);
+                gradient_weights(grid.y, grid.y_face, iy, rests_beside_ ? End::rest : End::open, End::mirror);
             Face face{};
             const bool first = iy == 0;
             const bool last = iy + 1 == columns_;
@@ -284,6 +287,12 @@ SectionBalance::FaceFlow SectionBalance::bed_flow(std::size_t iy, const Eigen::V
     return {(viscosity_ + factor * rate) * gradient, viscosity_ + 2.0 * factor * rate, 0.0};
 }
 
+double SectionBalance::wall_slope(std::size_t iz) const {
+    if (!rests_beside_) return 0.0;
+    const double ratio = media_.empty() ? 1.0 : media_[iz * columns_].viscosity_ratio;
+    return ratio * viscosity_ / wall_distance_;
+}
+
 double SectionBalance::layer_sum(const Eigen::VectorXd& u) const {
     return (layer_area_.array() * u.array() * u.array().abs()).sum();
 }
@@ -304,7 +313,11 @@ double SectionBalance::wall_coefficient(const Eigen::VectorXd& u) const {
 }
 
 double SectionBalance::wall_force(const Eigen::VectorXd& u) const {
-    return wall_coefficient(u) * layer_sum(u);
+    double force = wall_coefficient(u) * layer_sum(u);
+    for (std::size_t iz = 0; iz < rows_; ++iz) {
+        force += wall_extent_[iz] * wall_slope(iz) * u(static_cast<Eigen::Index>(iz * columns_));
+    }
+    return force;
 }
 
 double SectionBalance::vegetation_force(const Eigen::VectorXd& u) const {
@@ -339,6 +352,10 @@ Eigen::VectorXd SectionBalance::residual(const Eigen::VectorXd& u) const {
     }
     for (std::size_t iy = 0; iy < columns_; ++iy) {
         force(static_cast<Eigen::Index>(iy)) -= bed_extent_[iy] * bed_flow(iy, u).stress;
+    }
+    for (std::size_t iz = 0; iz < rows_; ++iz) {
+        const auto i = static_cast<Eigen::Index>(iz * columns_);
+        force(i) -= wall_extent_[iz] * wall_slope(iz) * u(i);
     }
     return force;
 }
@@ -378,6 +395,10 @@ SectionJacobian SectionBalance::jacobian(const Eigen::VectorXd& u) const {
         entries.emplace_back(i, i, slope);
         bed_slope(i) += slope;
     }
+    for (std::size_t iz = 0; iz < rows_; ++iz) {
+        const auto i = static_cast<Eigen::Index>(iz * columns_);
+        entries.emplace_back(i, i, wall_extent_[iz] * wall_slope(iz));
+    }
     SectionJacobian result;
     result.matrix.resize(n, n);
     result.matrix.setFromTriplets(entries.begin(), entries.end());
@@ -405,6 +426,10 @@ SectionBalance::Stresses SectionBalance::stresses(const Eigen::VectorXd& u) cons
     for (const Face& face : vertical_faces_) share(result.vertical, face, flow(face, u).stress);
     for (const Face& face : lateral_faces_) share(result.lateral, face, flow(face, u).stress);
     for (std::size_t iy = 0; iy < columns_; ++iy) result.vertical[iy] += 0.5 * bed_flow(iy, u).stress;
+    for (std::size_t iz = 0; iz < rows_; ++iz) {
+        const std::size_t i = iz * columns_;
+        result.lateral[i] += 0.5 * wall_slope(iz) * u(static_cast<Eigen::Index>(i));
+    }
     return result;
 }
 

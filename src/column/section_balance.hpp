@@ -29,7 +29,8 @@ struct SectionJacobian {
 /// beta = beta_bed(z) + beta_wall(y) + beta_v(U, y, z) of bed, side walls and vegetation,
 /// nu_t = l^2 |S|, l = l_m(z) G(y), |S|^2 = (dU/dy)^2 + (dU/dz)^2, A = 1/2 (1 + q^2), with the closure, the
 /// bed drag (its mean over the plan) and the side walls' friction of the case. No flux at bed, surface, wall
-/// and plane of symmetry, but for no-slip beds and beds by a wall law U = 0 at z = 0. Velocities stand at the
+/// and plane of symmetry, but for no-slip beds and beds by a wall law U = 0 at z = 0, and beside no-slip beds
+/// U = 0 at the side walls too, as at the walls of the particles. Velocities stand at the
 /// centres of the cells, in the order of the grid; forces are per length and density, m3/s2. In porous zones
 /// U stands for the discharge of an area, as in MomentumBalance.
 class SectionBalance {
@@ -96,6 +97,9 @@ class SectionBalance {
     [[nodiscard]] FaceFlow flow(const Face& face, const Eigen::VectorXd& u) const;
     /// Of a bed at which the water rests under the cell iy.
     [[nodiscard]] FaceFlow bed_flow(std::size_t iy, const Eigen::VectorXd& u) const;
+    /// Kinematic stress over U at a wall at which the water rests, in the cells beside it, m/s; 0: the walls
+    /// are frictionless planes. The mixing length vanishes at them.
+    [[nodiscard]] double wall_slope(std::size_t iz) const;
     [[nodiscard]] double layer_sum(const Eigen::VectorXd& u) const;
 
     void add_vegetation(const Case& c, const SectionGrid& grid);
@@ -112,13 +116,16 @@ class SectionBalance {
     double weight_;
     double viscosity_;
     std::vector<bool> rests_below_;  ///< at the bed, by column
+    bool rests_beside_;              ///< at the side walls
     SideDragForm wall_form_;
     std::optional<LogLawFriction> wall_friction_;  ///< by the log law
     double wall_over_bed_ = 0.0;              ///< force on the wall over that on the bed of the half section
     double fixed_coefficient_ = 0.0;          ///< of the wall, printed form
     double bed_distance_ = 0.0;               ///< of the lowest centres from the bed
+    double wall_distance_ = 0.0;              ///< of the centres beside the wall from it
     std::vector<double> bed_length_squared_;  ///< l_m^2 at the bed, by column
     std::vector<double> bed_extent_;          ///< widths of the cells
+    std::vector<double> wall_extent_;         ///< heights of the cells
     std::vector<VegetationPatch> patches_;
     /// Of each column: 0 over the bed of the channel, n in the vegetation patches_[n - 1], and then the
     /// patches of the bed.

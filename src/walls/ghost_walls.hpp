@@ -39,7 +39,7 @@ class GhostWalls final : public WallTreatment<D, Real> {
                     ? static_cast<Real>(pair_pressure(flow.c, flow.scheme, flow.walls.density_deviation[i]))
                     : Real(0);
             record.u = {};
-            if (this->action().no_slip) {
+            if (this->action().rests_at(flow.walls, i)) {
                 // The wall stands halfway between the particle and its image; a lid may move along the
                 // channel.
                 const double lid =

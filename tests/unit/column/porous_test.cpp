@@ -130,7 +130,7 @@ TEST(PorousSection, PassesMoreWaterBesideThanWithinABank) {
     const std::vector<double> means = section.depth_means(0.0, c.channel.depth);
     EXPECT_GT(means[columns - 1], 3.0 * means[0]);
     EXPECT_GT(section.porous_share, 0.1);
-    EXPECT_NEAR(section.porous_share + section.drag_share, 1.0, 1e-6);
+    EXPECT_NEAR(section.porous_share + section.drag_share + section.side_wall_share, 1.0, 1e-6);
 }
 
 // Darcy's flow through the whole depth: the discharge is that of the water, K g S/nu h, and a wave in the
