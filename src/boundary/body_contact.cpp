@@ -113,7 +113,7 @@ void BodyContact::touch_plane(std::size_t solid, const BoundaryPlane& plane, con
         const Point3 place = body.placed(start);
         const double depth = -plane.inward * (place[axis] - plane.place);
         if (depth > 0.0 && place[2] <= plane.top && place[0] <= plane.end) {
-            touches.push_back({place, normal, depth});
+            touches.push_back({place, place, normal, depth});
         }
     }
 }
@@ -127,8 +127,9 @@ bool BodyContact::may_touch(std::size_t first, std::size_t second,
     return dot(apart, apart) < reach * reach;
 }
 
-void BodyContact::touch_solid(std::size_t points_of, std::size_t in, const std::vector<BodyState>& bodies,
-                              double sign, std::vector<Touch>& touches) const {
+template <class Add>
+void BodyContact::points_inside(std::size_t points_of, std::size_t in, const std::vector<BodyState>& bodies,
+                                const Add& add) const {
     const BodyState& body = bodies[first_solid + points_of];
     const BodyState& other = bodies[first_solid + in];
     const Point3 middle = other.placed(middle_[in]);
@@ -136,12 +137,20 @@ void BodyContact::touch_solid(std::size_t points_of, std::size_t in, const std::
         const Point3 place = body.placed(start);
         const Point3 beside = surfaces_.image_near(middle, place);
         const auto foot = surfaces_.inside(in, other.place_at_start(beside));
-        if (foot) {
-            Point3 normal = other.turned(foot->normal);
-            for (double& component : normal) component *= sign;
-            touches.push_back({place, normal, -foot->distance});
-        }
+        if (foot) add(place, beside, other.turned(foot->normal), -foot->distance);
     }
+}
+
+void BodyContact::touch_solid(std::size_t first, std::size_t second, const std::vector<BodyState>& bodies,
+                              std::vector<Touch>& touches) const {
+    points_inside(first, second, bodies,
+                  [&](const Point3& place, const Point3& beside, const Point3& normal, double depth) {
+                      touches.push_back({place, beside, normal, depth});
+                  });
+    points_inside(second, first, bodies,
+                  [&](const Point3& place, const Point3& beside, const Point3& normal, double depth) {
+                      touches.push_back({beside, place, {-normal[0], -normal[1], -normal[2]}, depth});
+                  });
 }
 
 void BodyContact::press(const std::vector<Touch>& touches, const Party& first, const Party& second,
@@ -152,27 +161,32 @@ void BodyContact::press(const std::vector<Touch>& touches, const Party& first, c
     }
     double depths = 0.0;
     double deepest = 0.0;
-    Point3 middle{};
-    Point3 normal{};
+    Touch middle;
+    Point3& normal = middle.normal;
     for (const Touch& touch : touches) {
         depths += touch.depth;
         deepest = std::max(deepest, touch.depth);
-        add_scaled(middle, touch.depth, touch.place);
+        add_scaled(middle.place, touch.depth, touch.place);
+        add_scaled(middle.other, touch.depth, touch.other);
         add_scaled(normal, touch.depth, touch.normal);
     }
     const double length = std::sqrt(dot(normal, normal));
     for (std::size_t k = 0; k < 3; ++k) {
-        middle[k] /= depths;
+        middle.place[k] /= depths;
+        middle.other[k] /= depths;
         normal[k] /= length > 0.0 ? length : 1.0;
     }
+    const auto place_of = [&](const Party& party, const Touch& touch) -> const Point3& {
+        return &party == &first ? touch.place : touch.other;
+    };
     const auto arm_of = [](const Party& party, const Point3& place) {
         return minus(minus(place, party.free->centre_of_mass()), party.state->displacement);
     };
-    const auto velocity_of = [](const Party& party, const Point3& place) {
-        return party.body != nullptr ? party.body->velocity_at(place) : Point3{};
+    const auto velocity_of = [&](const Party& party, const Touch& touch) {
+        return party.body != nullptr ? party.body->velocity_at(place_of(party, touch)) : Point3{};
     };
-    const auto slip_at = [&](const Point3& place) {
-        return minus(velocity_of(first, place), velocity_of(second, place));
+    const auto slip_at = [&](const Touch& touch) {
+        return minus(velocity_of(first, touch), velocity_of(second, touch));
     };
     double mobility = 0.0;
     double restitution = 0.0;
@@ -180,7 +194,8 @@ void BodyContact::press(const std::vector<Touch>& touches, const Party& first, c
     double count = 0.0;
     for (const Party* const party : {&first, &second}) {
         if (party->free != nullptr) {
-            mobility += party->free->mobility(*party->state, arm_of(*party, middle), normal);
+            mobility +=
+                party->free->mobility(*party->state, arm_of(*party, place_of(*party, middle)), normal);
             restitution += party->free->restitution();
             friction += party->free->friction();
             count += 1.0;
@@ -195,11 +210,11 @@ void BodyContact::press(const std::vector<Touch>& touches, const Party& first, c
     const double frequency = pi / duration_;
     const double stiffness = mass * frequency * frequency;
     const double damping = 2.0 * damping_ratio(restitution) * mass * frequency;
-    const auto push = [&](const Point3& place, const Point3& force) {
+    const auto push = [&](const Touch& touch, const Point3& force) {
         const auto add = [&](const Party& party, double sign) {
             if (party.load != nullptr) {
                 add_scaled(party.load->force, sign, force);
-                add_scaled(party.load->moment, sign, cross(arm_of(party, place), force));
+                add_scaled(party.load->moment, sign, cross(arm_of(party, place_of(party, touch)), force));
             }
         };
         add(first, 1.0);
@@ -209,12 +224,12 @@ void BodyContact::press(const std::vector<Touch>& touches, const Party& first, c
     const double sharing = depths / deepest;
     double pressed = 0.0;
     for (const Touch& touch : touches) {
-        const double out = dot(slip_at(touch.place), touch.normal);
+        const double out = dot(slip_at(touch), touch.normal);
         const double weight = touch.depth / deepest;
         const double size = std::max(0.0, stiffness * touch.depth - weight * damping * out) / sharing;
         Point3 force{};
         add_scaled(force, size, touch.normal);
-        push(touch.place, force);
+        push(touch, force);
         pressed += size;
     }
     Point3 slip = slip_at(middle);
@@ -261,10 +276,7 @@ std::vector<BodyLoad> BodyContact::loads(const std::vector<FreeBody>& free,
                 continue;  // the pair has been looked at
             }
             touches.clear();
-            if (may_touch(solid, other, bodies)) {
-                touch_solid(solid, other, bodies, 1.0, touches);
-                touch_solid(other, solid, bodies, -1.0, touches);
-            }
+            if (may_touch(solid, other, bodies)) touch_solid(solid, other, bodies, touches);
             Party against{.body = &bodies[first_solid + other]};
             if (found != free.end()) {
                 against = {&free[m], &states[m], &bodies[first_solid + other], &loads[m]};
@@ -283,10 +295,7 @@ double BodyContact::deepest(const std::vector<FreeBody>& free, std::size_t n,
         touch_plane(solid, plane, bodies[first_solid + solid], touches);
     }
     for (std::size_t other = 0; other < points_.size(); ++other) {
-        if (other != solid && may_touch(solid, other, bodies)) {
-            touch_solid(solid, other, bodies, 1.0, touches);
-            touch_solid(other, solid, bodies, -1.0, touches);
-        }
+        if (other != solid && may_touch(solid, other, bodies)) touch_solid(solid, other, bodies, touches);
     }
     double depth = 0.0;
     for (const Touch& touch : touches) depth = std::max(depth, touch.depth);

@@ -41,7 +41,8 @@ class BodyContact {
   private:
     /// A place where two bodies touch.
     struct Touch {
-        Point3 place{};
+        Point3 place{};   ///< where the first body is: in a channel that repeats, of its images
+        Point3 other{};   ///< the same place where the second one is
         Point3 normal{};  ///< towards the first body
         double depth = 0.0;
     };
@@ -55,9 +56,13 @@ class BodyContact {
 
     void touch_plane(std::size_t solid, const BoundaryPlane& plane, const BodyState& body,
                      std::vector<Touch>& touches) const;
-    /// Points of one solid in another one; `sign` -1 turns the normals round.
-    void touch_solid(std::size_t points_of, std::size_t in, const std::vector<BodyState>& bodies, double sign,
+    /// Where two solids stand in each other.
+    void touch_solid(std::size_t first, std::size_t second, const std::vector<BodyState>& bodies,
                      std::vector<Touch>& touches) const;
+    /// Points of one solid in another one.
+    template <class Add>
+    void points_inside(std::size_t points_of, std::size_t in, const std::vector<BodyState>& bodies,
+                       const Add& add) const;
     [[nodiscard]] bool may_touch(std::size_t first, std::size_t second,
                                  const std::vector<BodyState>& bodies) const;
     void press(const std::vector<Touch>& touches, const Party& first, const Party& second, double step,

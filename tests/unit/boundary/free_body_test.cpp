@@ -272,5 +272,34 @@ TEST(BodyContact, TwoBodiesShareTheirMomentum) {
     }
 }
 
+// A body that has gone once around a periodic channel meets others as it did the first time. They are not
+// whole steps apart, so that rounding does not decide in which step they meet.
+TEST(BodyContact, ImagesOfAPeriodicChannelAreTheBodiesThemselves) {
+    for (const int dimensions : {2, 3}) {
+        std::vector<Solid> both = dimensions == 2 ? std::vector{rectangle("first", 0.3, 0.1, 0.08, 0.06),
+                                                                rectangle("second", 0.50004, 0.133, 0.1, 0.1)}
+                                                  : std::vector{sphere("first", {0.3, 0.2, 0.1}, 0.08),
+                                                                sphere("second", {0.50004, 0.21, 0.12}, 0.1)};
+        both[0].velocity_x = 1.0;
+        for (Solid& solid : both) solid.friction = 0.2;
+        Case c = dry_tank(dimensions, both);
+        c.channel.ends = Ends::periodic;
+        Dry once(c, {});
+        once.advance(0.2);
+        for (const std::size_t gone : {std::size_t{0}, std::size_t{1}}) {
+            Dry again(c, {});
+            again.states[gone].displacement[0] += c.channel.length;
+            again.advance(0.2);
+            for (std::size_t n = 0; n < 2; ++n) {
+                EXPECT_GT(std::abs(once.states[n].angular_velocity[1]), 0.05);
+                EXPECT_NEAR(again.states[n].angular_velocity[1], once.states[n].angular_velocity[1], 1e-6);
+                for (std::size_t k = 0; k < 3; ++k) {
+                    EXPECT_NEAR(again.states[n].velocity[k], once.states[n].velocity[k], 1e-8);
+                }
+            }
+        }
+    }
+}
+
 }  // namespace
 }  // namespace riffle
