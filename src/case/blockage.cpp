@@ -30,14 +30,19 @@ class Cells {
         for (std::size_t k = 0; k < 3; ++k) {
             count_[k] = std::max(1, static_cast<int>(std::lround(size_[k] / c.numerics.spacing)));
         }
-        const auto cells = static_cast<std::size_t>(count_[0]) * static_cast<std::size_t>(count_[1]) *
-                           static_cast<std::size_t>(count_[2]);
-        seen_.assign(cells, false);
     }
 
     /// How far water comes from x = 0 by open cells that touch each other, m; the length where it comes
-    /// through.
-    [[nodiscard]] double reach() {
+    /// through. `wide`: by squares of so many open cells upward and, in space, across; upward they may reach
+    /// over the level.
+    [[nodiscard]] double reach(int wide = 1) {
+        wide_ = {size_[1] > 0.0 ? wide : 1, wide};
+        const auto cells = [this](int levels) {
+            return static_cast<std::size_t>(count_[0]) * static_cast<std::size_t>(count_[1]) *
+                   static_cast<std::size_t>(levels);
+        };
+        seen_.assign(cells(count_[2]), false);
+        known_.resize(std::max(known_.size(), cells(count_[2] + wide)), unknown);
         int furthest = 0;
         // The uppermost first: what does not reach the surface is passed at once.
         for (int row = count_[2] - 1; row >= 0; --row) {
@@ -51,6 +56,7 @@ class Cells {
 
   private:
     using Cell = std::array<int, 3>;
+    static constexpr signed char unknown = -1;
 
     /// Columns that are reached from a cell.
     int reach_from(const Cell& start) {
@@ -77,25 +83,53 @@ class Cells {
         return furthest;
     }
 
-    /// Whether it is an open cell that was not looked at before.
+    /// Of a cell in the channel, which may lie over the level; by levels, so that those above come last.
+    [[nodiscard]] std::size_t number_of(const Cell& cell) const {
+        return (static_cast<std::size_t>(cell[2]) * static_cast<std::size_t>(count_[1]) +
+                static_cast<std::size_t>(cell[1])) *
+                   static_cast<std::size_t>(count_[0]) +
+               static_cast<std::size_t>(cell[0]);
+    }
+
+    /// Whether it is an open square that was not looked at before, by its lowest cell.
     bool is_new(const Cell& cell) {
-        std::size_t number = 0;
-        Point3 place{};
-        for (std::size_t k = 0; k < 3; ++k) {
-            if (cell[k] < 0 || cell[k] >= count_[k]) return false;
-            number = number * static_cast<std::size_t>(count_[k]) + static_cast<std::size_t>(cell[k]);
-            place[k] = (cell[k] + 0.5) / count_[k] * size_[k];
+        const bool outside = cell[0] < 0 || cell[0] >= count_[0] || cell[1] < 0 ||
+                             cell[1] + wide_[0] > count_[1] || cell[2] < 0 || cell[2] >= count_[2];
+        if (outside || seen_[number_of(cell)]) return false;
+        seen_[number_of(cell)] = true;
+        for (int up = 0; up < wide_[1]; ++up) {
+            for (int across = 0; across < wide_[0]; ++across) {
+                if (!is_open({cell[0], cell[1] + across, cell[2] + up})) return false;
+            }
         }
-        if (seen_[number]) return false;
-        seen_[number] = true;
-        return open_(place);
+        return true;
+    }
+
+    bool is_open(const Cell& cell) {
+        signed char& known = known_[number_of(cell)];
+        if (known == unknown) {
+            Point3 place{};
+            for (std::size_t k = 0; k < 3; ++k) place[k] = (cell[k] + 0.5) / count_[k] * size_[k];
+            known = open_(place) ? 1 : 0;
+        }
+        return known == 1;
     }
 
     std::function<bool(const Point3&)> open_;
     Point3 size_;
     std::array<int, 3> count_{};
+    std::array<int, 2> wide_{1, 1};  ///< of the squares, across and upward
     std::vector<bool> seen_;
+    std::vector<signed char> known_;  ///< whether cells are open
 };
+
+/// Whether a solid at rest reaches up to where the water might pass over all of them.
+bool has_tall_solid(const Case& c, double level) {
+    return std::any_of(c.solids.begin(), c.solids.end(), [&](const Solid& solid) {
+        const auto upright = extent_of(c, solid, 2);
+        return solid.rests() && upright && upright->high > level - c.numerics.spacing;
+    });
+}
 
 }  // namespace
 
@@ -117,11 +151,7 @@ double highest_way(const Case& c) {
 std::optional<Blockage> blockage(const Case& c) {
     if (!must_pass(c)) return std::nullopt;
     const double level = highest_way(c);
-    const bool tall = std::any_of(c.solids.begin(), c.solids.end(), [&](const Solid& solid) {
-        const auto upright = extent_of(c, solid, 2);
-        return solid.rests() && upright && upright->high > level - c.numerics.spacing;
-    });
-    if (!tall) return std::nullopt;
+    if (!has_tall_solid(c, level)) return std::nullopt;
     const SolidPlaces solids(c);
     // Among the first solids alone.
     const auto reach_among = [&](std::size_t count) {
@@ -137,6 +167,20 @@ std::optional<Blockage> blockage(const Case& c) {
     std::size_t last = c.solids.size() - 1;
     while (last > 0 && reach_among(last) < c.channel.length) --last;
     return Blockage{last, reach, level};
+}
+
+std::optional<Narrows> narrowest_way(const Case& c, int most) {
+    if (!must_pass(c) || !has_tall_solid(c, highest_way(c))) return std::nullopt;
+    const SolidPlaces solids(c);
+    Cells cells(c, highest_way(c), [&](const Point3& p) { return !solids.resting_at(p); });
+    double reach = cells.reach(most);
+    if (reach >= c.channel.length) return std::nullopt;
+    for (int wide = most - 1; wide > 0; --wide) {
+        const double narrower = cells.reach(wide);
+        if (narrower >= c.channel.length) return Narrows{wide, reach};
+        reach = narrower;
+    }
+    return std::nullopt;
 }
 
 }  // namespace riffle::inline case_file

@@ -25,4 +25,15 @@ struct Blockage {
 /// and porous zones are one. Solids must have their shapes.
 [[nodiscard]] std::optional<Blockage> blockage(const Case& c);
 
+/// The narrowest place of the widest way along a channel.
+struct Narrows {
+    int width = 0;   ///< in spacings
+    double x = 0.0;  ///< so far a wider way leads from x = 0, m
+};
+
+/// Of a channel with solids at rest that reach up to highest_way(): of the ways beside, below and between
+/// them. Nothing where it is `most` spacings wide or wider, where nothing stands so tall, and where the
+/// channel is closed. Solids must have their shapes.
+[[nodiscard]] std::optional<Narrows> narrowest_way(const Case& c, int most);
+
 }  // namespace riffle::inline case_file

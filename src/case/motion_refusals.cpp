@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "case/body_state.hpp"
+#include "case/end_buffers.hpp"
 #include "case/outline_check.hpp"
 #include "case/porous_zone.hpp"
 #include "case/refusals.hpp"
@@ -105,6 +106,22 @@ Findings motion_through_walls(const Case& c, const Solid& solid) {
                     in_space(c) ? ", an end wall or a side wall" : " or an end wall",
                     shown_length(c.channel.length),
                     in_space(c) ? ", y from 0 to " + shown_length(width) : std::string());
+}
+
+/// Whether a solid that starts away from open ends comes to where the water is watched beside one.
+Findings motion_into_ends(const Case& c, const Solid& solid) {
+    if (c.channel.ends != Ends::open || solid.rests() || solid.is_free()) {
+        return {};
+    }
+    const double clear = watched_stretch(c);
+    const double length = c.channel.length;
+    const Swing way = in_motion(c, solid, 0);
+    const Extent start = *extent_of(c, solid, 0);
+    const bool starts_clear = start.low >= clear && start.high <= length - clear;
+    return found_if(starts_clear && (way.low < clear || way.high > length - clear),
+                    "its way reaches from x = {} to {}, and the water is watched up to x = {} and from {}",
+                    shown_length(way.low), shown_length(way.high), shown_length(clear),
+                    shown_length(length - clear));
 }
 
 /// A zone, of places on a lattice in what a solid takes up with its way, that holds one of them.
@@ -223,6 +240,11 @@ CheckList motion_refusals() {
                                      in_motion(c, solid, 2).low < -slack_of(c, solid),
                                  "reaches the bed before the end of the run");
              }},
+            {{"solid.motion", "channel.ends"},
+             "a motion of a solid into the water that enters or leaves",
+             "beside either end the water is watched over two kernel supports or a quarter of the depth, whichever is longer",
+             "let it stop before (stop), give it another way, or make the channel longer",
+             motion_into_ends},
             {{"solid.motion", "porous.name"},
              "a motion through a porous zone",
              "the water would be pressed out of the grains as out of nothing",

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "case/bed_surface.hpp"
+#include "case/blockage.hpp"
 #include "case/outline.hpp"
 #include "case/refusals.hpp"
 #include "case/solid_mesh.hpp"
@@ -152,10 +153,24 @@ Findings in_solid(const Case& c, const Probe& probe) {
     return {};
 }
 
+/// So many spacings a way must be wide for its discharge to be within a tenth.
+constexpr int fewest_in_a_way = 10;
+
+Findings narrow_way(const Case& c) {
+    const auto narrows = narrowest_way(c, fewest_in_a_way);
+    return found_if(narrows.has_value(), "the way past x = {} is {} spacings wide",
+                    shown_length(narrows ? narrows->x : 0.0), narrows ? narrows->width : 0);
+}
+
 }  // namespace
 
 CheckList solid_warnings() {
     return {{
+        {{"solid.z", "solid.size", "numerics.spacing"},
+         "a way beside, below or between solids that is less than ten spacings wide",
+         "a jet behind an edge comes out about a spacing too high, and so much too large is its discharge (docs/open-ends.md, Under a gate)",
+         "take a smaller spacing, or count with the error",
+         narrow_way},
         {{"probe.x", "probe.z", "probe.name"},
          "a point of a velocity, pressure or wave probe in a solid",
          "no water comes there, and it records nothing, or what its neighbourhood has",

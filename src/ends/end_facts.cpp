@@ -224,6 +224,21 @@ std::string characteristic_text(const Case& c, const FlowAtEnd& end) {
     return text;
 }
 
+/// Where riffle backwater puts a hydraulic jump, or why there is none between the ends; else empty.
+std::string jump_text(const FlowAtEnds& states) {
+    if (!states.varied) return "";
+    std::string text;
+    if (const auto& jump = states.varied->jump) {
+        text =
+            fmt::format("a hydraulic jump at x = {:.3g} m, from {:.3g} to {:.3g} mm, Fr = {:.3g} before it",
+                        jump->place, 1e3 * jump->depth_before, 1e3 * jump->depth_after, jump->froude_before);
+    }
+    for (const std::string& event : states.varied->events) {
+        text += (text.empty() ? "" : ". ") + event.substr(0, event.find_last_not_of('.') + 1);
+    }
+    return text;
+}
+
 /// Where the water rises so high over the depth of the case that the stretch over which it is watched is a
 /// small share of it: the ends then feed its swings.
 std::string watched_text(const Case& c, const FlowAtEnds& states) {
@@ -255,6 +270,9 @@ std::vector<EndFact> end_facts(const Case& c, const FlowAtEnds& states) {
     } else if (!at_inflow.empty()) {
         facts.push_back({"of it at the inflow", at_inflow});
         facts.push_back({"of it at the outflow", at_outflow});
+    }
+    if (const std::string jump = jump_text(states); !jump.empty()) {
+        facts.push_back({"riffle backwater", jump});
     }
     if (const std::string watched = watched_text(c, states); !watched.empty()) {
         facts.push_back({"watched", watched});

@@ -233,7 +233,8 @@ FlowAtEnds flow_at_ends(const Case& c) {
     states.inflow.floor = floors.upstream > 0.0 ? floors.upstream - c.datum() : 0.0;
     states.outflow.floor = floors.downstream > 0.0 ? floors.downstream - c.datum() : 0.0;
     states.one_bed = !other && states.inflow.floor == states.outflow.floor;
-    const std::optional<VariedFlow> flow = steady_flow(c, input, bed, start_unit_discharge(c, input));
+    states.varied = steady_flow(c, input, bed, start_unit_discharge(c, input));
+    const std::optional<VariedFlow>& flow = states.varied;
     // A hydrograph, whatever the start: about that of the steady flow with each discharge, where the bed
     // alone rules it that of uniform flow.
     const bool has_uniform = !c.inflow.discharge_file.empty() && !is_disturbed(c) && !is_duct(c) &&

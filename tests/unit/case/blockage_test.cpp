@@ -95,5 +95,26 @@ TEST(Blockage, InSpaceTakesTheWholeWidth) {
     EXPECT_FALSE(closes(0.09));
 }
 
+TEST(NarrowestWay, IsTheGapThatAllWaterPasses) {
+    constexpr int most = 10;
+    const auto gap = [](const std::string& keys) {
+        return narrowest_way(sloping("numerics.spacing = 2 mm; " + keys), most);
+    };
+    const auto gate = gap(block("[0.012, 0.012, 0.2, 0.2]"));
+    ASSERT_TRUE(gate.has_value());
+    EXPECT_EQ(gate->width, 6);
+    EXPECT_NEAR(gate->x, 0.08, sloping("").numerics.spacing);
+    EXPECT_FALSE(gap(block("[0.020, 0.020, 0.2, 0.2]")).has_value());
+    // A wider way beside a narrow one; a weir alone, over which water passes as it likes; a closed channel.
+    EXPECT_FALSE(gap(block("[0, 0, 0.02, 0.02]") + block("[0.042, 0.042, 0.2, 0.2]", 1)).has_value());
+    EXPECT_FALSE(gap(block("[0, 0, 0.03, 0.03]")).has_value());
+    EXPECT_FALSE(gap(block("[0, 0, 0.2, 0.2]")).has_value());
+    // The narrowest of two in a row.
+    const auto both = gap(block("[0.016, 0.016, 0.2, 0.2]", 0, "[0.03, 0.05, 0.05, 0.03]") +
+                          block("[0.008, 0.008, 0.2, 0.2]", 1));
+    ASSERT_TRUE(both.has_value());
+    EXPECT_EQ(both->width, 4);
+}
+
 }  // namespace
 }  // namespace riffle::blockage_test

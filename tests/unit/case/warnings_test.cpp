@@ -17,6 +17,7 @@ using test::between_side_walls;
 using test::cell;
 using test::flume;
 using test::gravel;
+using test::open_channel_with_solid;
 using test::smallest;
 using test::tank;
 using test::with_keys;
@@ -282,6 +283,7 @@ TEST(Warnings, EachRowHasACase) {
         with_keys(with_water(), "run.until = 3"),
         with_keys(gravel(), "bed.equivalent_roughness = 20 mm; numerics.spacing = 0.5 mm"),
         with_keys(gravel(), "numerics.spacing = 5 mm"),
+        with_keys(open_channel_with_solid(), "solid[0].z = [0.012, 0.012, 0.3, 0.3]"),
         with_keys(with_vegetation(), "vegetation[0].stem_diameter = 25 mm"),
         with_keys(with_vegetation(),
                   "bed.kind = slip; turbulence.closure = none; vegetation[0].height = 5 mm"),

@@ -317,6 +317,25 @@ TEST(FlowAtEnds, OfASteepSlopeAsksForTheDepth) {
     EXPECT_THAT(text_of(c), HasSubstr("Without [inflow] depth the water enters at the critical depth"));
 }
 
+// Where the jump stands, or that it does not, is known before the run.
+TEST(FlowAtEnds, TellsWhereAJumpStands) {
+    const auto jump = [](const char* depth) {
+        return parse_case(
+            std::string("[channel]\nslope = 0\ndepth = \"70 mm\"\nlength = \"1 m\"\nends = \"open\"\n"
+                        "[bed]\nkind = \"roughness\"\nequivalent_roughness = \"1 mm\"\n"
+                        "[numerics]\nspacing = \"2 mm\"\n[start]\nkind = \"backwater\"\n"
+                        "[run]\nuntil = \"5 s\"\n[inflow]\nunit_discharge = \"0.02658 m2/s\"\n"
+                        "depth = \"20 mm\"\n[outflow]\nkind = \"depth\"\ndepth = \"") +
+                depth + "\"\n",
+            "test");
+    };
+    EXPECT_THAT(text_of(jump("70 mm")), HasSubstr("riffle backwater: a hydraulic jump at x = 0.49"));
+    EXPECT_THAT(text_of(jump("95 mm")),
+                HasSubstr("riffle backwater: The jump is drowned at the upstream end"));
+    EXPECT_THAT(text_of(rough_case("[inflow]\nunit_discharge = \"0.0174 m2/s\"\n")),
+                Not(HasSubstr("riffle backwater: ")));
+}
+
 // Each end has the depths of the bed there.
 TEST(FlowAtEnds, OverTwoBedsHasTheDepthsOfBoth) {
     const Case c = parse_case(
