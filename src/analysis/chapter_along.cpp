@@ -5,14 +5,15 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
-#include <limits>
 #include <numeric>
 
+#include "analysis/along_parts.hpp"
 #include "analysis/bodies.hpp"
 #include "analysis/chapters.hpp"
 #include "analysis/drowned_inflow.hpp"
 #include "analysis/figure_tools.hpp"
 #include "analysis/flood_passage.hpp"
+#include "analysis/pools.hpp"
 #include "analysis/tailwater_passage.hpp"
 #include "base/error.hpp"
 #include "base/not_a_number.hpp"
@@ -28,80 +29,6 @@
 namespace riffle::inline analysis {
 
 namespace {
-
-/// Time means along the channel.
-struct LongProfile {
-    std::vector<double> x, level, half_width, lowest, highest;
-    std::vector<bool> covered;  ///< Whether a body lies on the water.
-
-    [[nodiscard]] bool covered_somewhere() const {
-        return std::find(covered.begin(), covered.end(), true) != covered.end();
-    }
-};
-
-LongProfile long_profile(const SpaceTime& surface) {
-    LongProfile profile;
-    for (std::size_t i = 0; i < surface.columns; ++i) {
-        const std::vector<double> record = surface.record(i);
-        double low = std::numeric_limits<double>::infinity();
-        double high = -low;
-        for (const double value : record) {
-            if (!std::isfinite(value)) continue;
-            low = std::min(low, value);
-            high = std::max(high, value);
-        }
-        const bool wet = low <= high;
-        const MeanEstimate mean = wet ? mean_with_confidence(record) : MeanEstimate{};
-        profile.x.push_back(surface.x(i));
-        profile.level.push_back(wet ? mean.mean : not_a_number);
-        profile.half_width.push_back(wet ? trusted_half_width(mean).value_or(not_a_number) : not_a_number);
-        profile.lowest.push_back(wet ? low : not_a_number);
-        profile.highest.push_back(wet ? high : not_a_number);
-    }
-    return profile;
-}
-
-/// The discharge through the section at the inflow, else through the first section that records it, in steady
-/// flow that of all; empty where none does.
-std::vector<double> discharge_of(const FlowRecord& record) {
-    const ScalarProbe* const entering = find_at_end(record, fields::flow_rate.flow_rate, 1);
-    if (entering != nullptr && entering->value.size() > 1) return entering->value;
-    for (const ScalarProbe& probe : record.scalar_probes()) {
-        if (probe.kind == "flow_rate" && probe.quantity.rfind("flow_rate", 0) == 0 &&
-            probe.value.size() > 1) {
-            return probe.value;
-        }
-    }
-    return {};
-}
-
-/// Discharge per unit width.
-struct UnitDischarge {
-    double mean = 0.0;                 ///< m2/s
-    std::optional<double> half_width;  ///< of the 95 % interval, where there is one that can be trusted
-    /// Its change over the window over its mean, where the flow is to be steady and that is more than chance
-    /// and than the interval, which then is none: that of a mean that drifts says nothing of where it goes.
-    double drift = 0.0;
-};
-std::optional<UnitDischarge> unit_discharge(const FlowRecord& record) {
-    const Case& c = *record.flow();
-    const double width = c.channel.flow_width();
-    const std::vector<double> samples = discharge_of(record);
-    if (samples.empty()) return std::nullopt;
-    MeanEstimate mean = mean_with_confidence(samples);
-    mean.mean /= width;
-    mean.half_width /= width;
-    UnitDischarge discharge{.mean = mean.mean, .half_width = trusted_half_width(mean)};
-    if (changes_at_ends(c) || mean.mean == 0.0) return discharge;
-    const TrendEstimate trend = trend_with_confidence(samples);
-    const double change = trend.slope * static_cast<double>(samples.size() - 1) / width;
-    const bool stands_out = std::abs(change) > 2.0 * mean.half_width || !discharge.half_width;
-    if (stands_out && std::abs(trend.slope) > trend.half_width) {
-        discharge.half_width.reset();
-        discharge.drift = change / mean.mean;
-    }
-    return discharge;
-}
 
 /// Velocity and discharge of a canal beside those of its hydraulic radius.
 void add_canal(const FlowRecord& record, const CanalFlow& canal, Analysis& analysis) {
@@ -390,6 +317,7 @@ void analyse_along(const FlowRecord& record, Analysis& analysis) {
         add_extreme(profile, false, analysis);
     }
     if (heads) add_velocity(profile, *heads, analysis);
+    if (steady > 0.0 && !changing && !drowned) add_pools(record, profile, steady, analysis);
     add_flood_passage(record, analysis);
     add_tailwater_passage(record, analysis);
     if (c.channel.ends == Ends::open) add_ends(record, analysis);

@@ -296,6 +296,7 @@ void add_findings(Table& table, const Analysis& analysis,
         const std::string unit = millimetres               ? "mm"
                                  : finding->unit == "m2/s" ? "m²/s"
                                  : finding->unit == "m3/s" ? "m³/s"
+                                 : finding->unit == "W/m3" ? "W/m³"
                                                            : finding->unit;
         SummaryRow row = row_of(key, std::move(label), symbol, unit.c_str(), millimetres ? 1000.0 : 1.0);
         row.theory = plain(finding->reference);
@@ -351,6 +352,9 @@ std::vector<SummaryRow> summarize(const ReportData& data, const Analysis& analys
                       {"lowest_level", ""},
                       {"drowned_inflow_depth", ""},
                       {"largest_froude", "Fr"},
+                      {"pool_fall", "Δ<i>h</i>"},
+                      {"pool_jet_velocity", ""},
+                      {"pool_power", ""},
                       {"backwater_departure", ""}});
         add_passages(table, analysis);
         add_forces_on_bodies(table, data, analysis);
