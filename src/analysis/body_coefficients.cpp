@@ -64,19 +64,21 @@ std::optional<Front> front_of(const Case& c, const Solid& solid, double level) {
     }
     const auto y = extent_of(c, solid, 1);
     const SolidMesh* const mesh = mesh_of(c, solid);
-    if (!y || mesh == nullptr || y->high - y->low > 0.9 * c.channel.simulated_width() || z->low >= level) {
-        return std::nullopt;
-    }
+    if (!y || mesh == nullptr || z->low >= level) return std::nullopt;
     Extent across = *y;
     if (c.channel.sides != Sides::periodic) {
         across.low = std::max(across.low, 0.0);
         across.high = std::min(across.high, c.channel.simulated_width());
     }
+    const double width = across.high - across.low;
+    if (width > 0.9 * c.channel.simulated_width()) return std::nullopt;
+    // Of a body that a plane of symmetry cuts the other half is not simulated, and feels as much.
+    const bool cut = c.channel.sides == Sides::half && y->high > c.channel.simulated_width();
     Extent upright = *z;
     upright.low = std::max(upright.low, 0.0);
     upright.high = std::min(upright.high, level);
     return Front{silhouette(*mesh, across, upright),
-                 std::min(across.high - across.low, upright.high - upright.low)};
+                 std::min(cut ? 2.0 * width : width, upright.high - upright.low)};
 }
 
 /// Mean of a series over the window.

@@ -9,6 +9,7 @@
 #include "analysis/chapters.hpp"
 #include "analysis/figure_tools.hpp"
 #include "base/error.hpp"
+#include "column/wide_channel.hpp"
 #include "hydraulics/channel_laws.hpp"
 #include "record/flow_fields.hpp"
 #include "statistics/confidence.hpp"
@@ -69,7 +70,7 @@ void add_channel_numbers(const FlowRecord& record, Analysis& analysis) {
     if (velocity <= 0.0) return;
     constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
     const double half_width = samples.size() > 1 ? trusted_half_width(mean).value_or(unknown) : unknown;
-    const double depth = c.channel.depth;
+    const WideChannel channel = wide_channel(c);
     const auto add = [&](const char* key, const char* label, const char* unit,
                          const std::function<double(double)>& law) {
         Finding finding = make_finding(chapters::fits, key, label, unit, law(velocity));
@@ -83,12 +84,14 @@ void add_channel_numbers(const FlowRecord& record, Analysis& analysis) {
         if (at_centreline) finding.remark = "with the depth-mean velocity around the centreline";
         analysis.findings.push_back(std::move(finding));
     };
-    add("friction_factor", "friction factor f (2.6), wide channel", "1",
-        [&](double u) { return friction_factor(c.streamwise_gravity(), depth, u); });
-    const double factor = friction_factor(c.streamwise_gravity(), depth, velocity);
+    const bool between_walls = channel.hydraulic_radius < channel.depth;
+    add("friction_factor",
+        between_walls ? "friction factor f (2.6) between two walls, R = h/2"
+                      : "friction factor f (2.6), wide channel",
+        "1", [&](double u) { return channel.friction_factor(u); });
+    const double factor = channel.friction_factor(velocity);
     if (const Finding* const roughness = find_finding(analysis, "equivalent_roughness")) {
-        const double law = colebrook_white(
-            roughness->value, depth, 4.0 * reynolds_number(velocity, depth, c.fluid.kinematic_viscosity));
+        const double law = colebrook_white(roughness->value, channel.depth, 4.0 * channel.reynolds(velocity));
         Finding finding = make_finding(chapters::fits, "colebrook_white_friction_factor",
                                        "f by Colebrook-White (2.9) from the fitted ks", "1", law);
         if (std::isfinite(law)) {
@@ -98,13 +101,13 @@ void add_channel_numbers(const FlowRecord& record, Analysis& analysis) {
                         "the edge of its range"));
         }
     }
-    add("manning", "Manning's n (2.7)", "s/m^1/3",
-        [&](double u) { return manning_coefficient(c.channel.slope, depth, u); });
-    add("chezy", "Chezy's C (2.8)", "m^1/2/s",
-        [&](double u) { return chezy_coefficient(c.channel.slope, depth, u); });
-    add("reynolds", "Reynolds number U h/nu", "1",
-        [&](double u) { return reynolds_number(u, depth, c.fluid.kinematic_viscosity); });
-    add("froude", "Froude number", "1", [&](double u) { return froude_number(u, c.fluid.gravity, depth); });
+    if (channel.has_surface) {
+        add("manning", "Manning's n (2.7)", "s/m^1/3", [&](double u) { return channel.manning(u); });
+        add("chezy", "Chezy's C (2.8)", "m^1/2/s", [&](double u) { return channel.chezy(u); });
+    }
+    add("reynolds", "Reynolds number U h/nu", "1", [&](double u) { return channel.reynolds(u); });
+    if (!channel.has_surface) return;
+    add("froude", "Froude number", "1", [&](double u) { return channel.froude(u); });
     Figure figure =
         make_figure(chapters::fits, "friction_factor", "Friction factor",
                     "Friction factor of Darcy and Weisbach against the relative roughness ks/R with the "

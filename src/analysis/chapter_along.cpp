@@ -197,10 +197,13 @@ void add_ends(const FlowRecord& record, Analysis& analysis) {
     constexpr std::size_t most = 3000;
     const std::vector<double> time = thinned(series[of.time], most);
     const bool space = record.flow()->channel.dimensions == 3;
+    const bool half = record.flow()->channel.sides == Sides::half;
     Figure discharge = make_figure(
         chapters::along, "end_discharges", "Discharge at the ends",
-        "What enters the channel, what the section at the outflow carries, and what leaves by the account of "
-        "the particles, in means over a hundredth of the run each.",
+        fmt::format(
+            "What enters the channel, what the section at the outflow carries, and what leaves by the account of "
+            "the particles, in means over a hundredth of the run each{}.",
+            half ? "; all twice that of the simulated half" : ""),
         "", make_axis("time t", "s"),
         space ? make_axis("discharge", "m3/s") : make_axis("discharge per unit width", "m2/s"));
     Figure depth = make_figure(chapters::along, "end_depths", "Depth at the ends",
@@ -213,6 +216,9 @@ void add_ends(const FlowRecord& record, Analysis& analysis) {
     add(discharge, "inflow", of.inflow_discharge, 0);
     add(discharge, "section at the outflow", of.outflow_discharge, 1);
     if (series.has(of.mass_stored)) discharge.curves.push_back(leaving_discharge(record));
+    for (Curve& curve : discharge.curves) {
+        for (double& value : curve.y) value *= half ? 2.0 : 1.0;
+    }
     add(depth, "inflow", of.inflow_depth, 0);
     add(depth, "outflow", of.outflow_depth, 1);
     analysis.figures.push_back(std::move(discharge));

@@ -92,7 +92,8 @@ std::vector<double> energy_between_ends(const FlowRecord& record) {
 void add_shares(const FlowRecord& record, const Figure& frame, Analysis& analysis) {
     Budget budget;
     const auto& of = fields::time_series;
-    const bool open = record.flow()->channel.ends == Ends::open;
+    const Case& c = *record.flow();
+    const bool open = c.channel.ends == Ends::open;
     if (open) {
         const Part ends{.series = std::nullopt,
                         .key = "ends",
@@ -121,11 +122,13 @@ void add_shares(const FlowRecord& record, const Figure& frame, Analysis& analysi
             open
                 ? "in the window more energy leaves through the ends than comes in and the weight brings: the "
                   "water is draining, or waves pass"
+            : c.channel.lid_velocity != 0.0
+                ? "the wall at the top drives the flow, and its work is among that of viscosity: there is no "
+                  "input to compare with"
                 : "nothing drives the flow");
         return;
     }
-    const Case& c = *record.flow();
-    const double area = c.channel.length * (c.channel.dimensions == 3 ? c.channel.width : 1.0);
+    const double area = c.channel.length * c.channel.flow_width();
     Finding drive =
         make_finding(chapters::energy, "energy_input", "energy that drives the flow, per plan area", "W/m2",
                      input.mean / area, trusted_half_width(input));

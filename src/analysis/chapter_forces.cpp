@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <cmath>
+#include <string_view>
 
 #include "analysis/bed_parts.hpp"
 #include "analysis/body_coefficients.hpp"
@@ -17,6 +18,7 @@
 #include "record/probe_fields.hpp"
 #include "record/twin_fields.hpp"
 #include "roughness/side_wall_partition.hpp"
+#include "solver/summary.hpp"
 #include "statistics/confidence.hpp"
 
 namespace riffle::inline analysis {
@@ -32,6 +34,11 @@ struct Share {
     int variant;
 };
 
+/// What forces in space are those of.
+const char* simulated_part(const Case& c) {
+    return c.channel.sides == Sides::half ? "of the simulated half of the channel" : "of the whole channel";
+}
+
 /// The share of the side walls by the partition of Yang & Lim.
 std::string partition_remark(const Case& c) {
     return fmt::format("{}: {:.4g}", partition_name(c), 1.0 - side_wall_partition(c).bed_share);
@@ -39,6 +46,9 @@ std::string partition_remark(const Case& c) {
 
 /// Figure and findings of the scalar instruments of one kind.
 void add_instruments(const FlowRecord& record, const char* kind, Figure figure, Analysis& analysis) {
+    const Case& c = *record.flow();
+    // A section of half of a channel records half of its discharge.
+    const bool half = c.channel.sides == Sides::half && std::string_view(kind) == "flow_rate";
     // The force normal to the wall carries the weight of the water, a hundred times the others.
     Figure normal = figure;
     normal.key += "_wall_normal";
@@ -50,7 +60,7 @@ void add_instruments(const FlowRecord& record, const char* kind, Figure figure, 
     solids.caption = fmt::format(
         "Forces of the water on each solid, {}: downstream, of that by the pressure on its faces (form "
         "drag), and away from the bed; the weight of still water on their tops is in them.",
-        figure.y.unit == "N" ? "of the whole channel" : "per unit width");
+        figure.y.unit == "N" ? simulated_part(c) : "per unit width");
     solids.source = "";
     Figure moments = solids;
     moments.key = "solid_moments";
@@ -58,7 +68,7 @@ void add_instruments(const FlowRecord& record, const char* kind, Figure figure, 
     moments.caption = fmt::format(
         "Moments of the water's forces on each solid about a point of it (moment_about, else its centroid), {}, "
         "and those of the pressure on its faces; a positive one about y turns z towards x.",
-        figure.y.unit == "N" ? "of the whole channel" : "per unit width");
+        figure.y.unit == "N" ? simulated_part(c) : "per unit width");
     moments.y = figure.y.unit == "N" ? make_axis("moment", "N m") : make_axis("moment per unit width", "N");
     const auto is_moment = [](const ScalarProbe& probe) {
         return probe.quantity.rfind("solid_", 0) == 0 && probe.quantity.find("moment_") != std::string::npos;
@@ -68,16 +78,19 @@ void add_instruments(const FlowRecord& record, const char* kind, Figure figure, 
     for (const ScalarProbe& probe : record.scalar_probes()) {
         const std::string& unit = is_moment(probe) ? moments.y.unit : figure.y.unit;
         if (probe.kind != kind || probe.unit != unit || probe.value.size() < 2) continue;
+        std::vector<double> value = probe.value;
+        for (double& each : value) each *= half ? 2.0 : 1.0;
         (is_moment(probe)                                     ? moments
          : probe.quantity.rfind("solid_", 0) == 0             ? solids
          : probe.quantity.find("normal") != std::string::npos ? normal
                                                               : figure)
             .curves.push_back(make_curve(probe.label, record.origin(), Mark::line, thinned(probe.time, most),
-                                         thinned(probe.value, most), variant++));
-        const MeanEstimate mean = mean_with_confidence(probe.value);
+                                         thinned(value, most), variant++));
+        const MeanEstimate mean = mean_with_confidence(value);
         Finding finding = make_finding(chapters::forces, probe.name + "_" + probe.quantity, probe.label,
                                        probe.unit, mean.mean, trusted_half_width(mean));
         finding.remark = "instrument " + probe.name;
+        if (half) finding.remark += "; twice what passes the simulated half";
         // Below this it is rounding of a force that does not vary.
         if (mean.standard_deviation > 1e-12 * std::abs(mean.mean)) {
             finding.remark +=
@@ -139,18 +152,20 @@ void analyse_forces(const FlowRecord& record, Analysis& analysis) {
                         : "Forces on bed and walls",
                     fmt::format("Forces between the water and its bed and walls, and the weight component "
                                 "down the slope, {}, as the instruments recorded them.",
-                                in_space ? "of the whole channel" : "per unit width"),
+                                in_space ? simulated_part(c) : "per unit width"),
                     "thesis (2.16), (4.3)", make_axis("time t", "s"),
                     in_space ? make_axis("force", "N") : make_axis("force per unit width", "N/m")),
         analysis);
-    add_instruments(record, "flow_rate",
-                    make_figure(chapters::forces, "flow_rate_history", "Flow rate through sections",
-                                fmt::format("Discharge {}through the sections of the instruments.",
-                                            in_space ? "" : "per unit width "),
-                                "", make_axis("time t", "s"),
-                                in_space ? make_axis("discharge", "m3/s")
-                                         : make_axis("discharge per unit width", "m2/s")),
-                    analysis);
+    add_instruments(
+        record, "flow_rate",
+        make_figure(
+            chapters::forces, "flow_rate_history", "Flow rate through sections",
+            fmt::format("Discharge {}through the sections of the instruments{}.",
+                        in_space ? "" : "per unit width ",
+                        c.channel.sides == Sides::half ? ", twice that of the simulated half" : ""),
+            "", make_axis("time t", "s"),
+            in_space ? make_axis("discharge", "m3/s") : make_axis("discharge per unit width", "m2/s")),
+        analysis);
     Figure figure = make_figure(
         chapters::forces, "force_history", "Forces on the water",
         fmt::format(
@@ -188,13 +203,15 @@ void analyse_forces(const FlowRecord& record, Analysis& analysis) {
         if (!c.porous.empty()) porous_share = twin.value(fields::section_numbers.porous_share);
     } else if (record.column() != nullptr) {
         drag_share = record.column()->drag_share;
-        wall_share = record.column()->wall_share;
+        // Of the bed alone; the particles feel the wall above as well.
+        wall_share = (c.channel.top == Top::wall ? 2.0 : 1.0) * record.column()->wall_share;
         vegetation_share = record.column()->vegetation_share;
         porous_share = record.column()->porous_share;
     }
     constexpr std::size_t most = 3000;
     const double bed_weight =
         c.fluid.density * c.streamwise_gravity() * c.total_depth();  // per plan area, the whole depth
+    const std::vector<double> volume = within_window(record, fields::time_series.water_volume);
     std::vector<double> sum_of_forces;
     bool complete = true;
     const auto& of = fields::time_series;
@@ -236,12 +253,15 @@ void analyse_forces(const FlowRecord& record, Analysis& analysis) {
             make_finding(chapters::forces, share.key, share.label, "1", mean.mean, half_width), share.column,
             share.variant == 2 ? "steady flow" : twin_name, share.variant == 3 ? partition_remark(c) : ""));
         // Only beds of spheres have a drag of elements.
-        if (share.variant == 0 && has_spheres(c.bed)) {
+        const std::optional<double> drag_per_area = bed_stress_of_weight(c, window, volume);
+        if (share.variant == 0 && has_spheres(c.bed) && drag_per_area) {
             std::optional<double> expected;
-            if (drag_share) expected = *drag_share * bed_weight;
+            if (drag_share && !open) expected = *drag_share * bed_weight;
             std::string remark =
-                "under the whole depth H down to the bed level, whose water weighs more than that above the "
-                "datum";
+                open
+                    ? "mean along the channel"
+                    : "under the whole depth H down to the bed level, whose water weighs more than that above "
+                      "the datum";
             if (c.measured.friction_velocity) {
                 remark += fmt::format("; rho u*^2 = {:.4g} Pa above the datum, {}",
                                       c.fluid.density * std::pow(*c.measured.friction_velocity, 2),
@@ -249,8 +269,8 @@ void analyse_forces(const FlowRecord& record, Analysis& analysis) {
             }
             Finding stress =
                 make_finding(chapters::forces, "bed_stress", "drag of the bed elements per plan area", "Pa",
-                             mean.mean * bed_weight, half_width);
-            if (stress.half_width) *stress.half_width *= bed_weight;
+                             *drag_per_area, half_width);
+            if (stress.half_width) *stress.half_width *= std::abs(*drag_per_area / mean.mean);
             analysis.findings.push_back(
                 against(std::move(stress), expected,
                         fmt::format("rho g S0 H times the {}'s drag share", twin_name), remark));

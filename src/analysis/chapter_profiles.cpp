@@ -52,7 +52,10 @@ void add_velocity(const FlowRecord& record, const Profiles& p, Analysis& analysi
         "thesis, velocity profiles of chapter 4; paper Fig. 2", make_axis("streamwise velocity u", "m/s"));
     Curve simulated =
         profile_curve(own_name(record), record.origin(), p.velocity, p.z, Mark::line_and_points);
-    simulated.x_half_width = p.velocity_half_width;
+    const auto known = [](double half_width) { return std::isfinite(half_width); };
+    if (std::any_of(p.velocity_half_width.begin(), p.velocity_half_width.end(), known)) {
+        simulated.x_half_width = p.velocity_half_width;
+    }
     figure.curves.push_back(std::move(simulated));
     add_twin(record, &ColumnProfile::velocity, &SectionTwin::velocity, figure);
     if (!between_side_walls(record)) add_measured_points(figure, record.measured());

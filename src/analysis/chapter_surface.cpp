@@ -47,10 +47,13 @@ std::string flatness_remark(const Case& c) {
 void add_level(const FlowRecord& record, Analysis& analysis) {
     const MeanEstimate level = mean_level(record.surface());
     const Case& c = *record.flow();
-    analysis.findings.push_back(
-        against(make_finding(chapters::surface, "mean_water_depth", "mean depth of the water above the datum",
-                             "m", level.mean - c.datum(), level.half_width),
-                c.channel.depth, "case, h_w"));
+    Finding depth =
+        make_finding(chapters::surface, "mean_water_depth", "mean depth of the water above the datum", "m",
+                     level.mean - c.datum(), trusted_half_width(level));
+    // Between open ends the depth of the case is that of the start.
+    analysis.findings.push_back(c.channel.ends == Ends::open
+                                    ? std::move(depth)
+                                    : against(std::move(depth), c.channel.depth, "case, h_w"));
     const double dry = dry_share(record.surface());
     if (dry > 0.0) {
         analysis.warnings.push_back(fmt::format(
@@ -87,10 +90,9 @@ void add_deviation(const FlowRecord& record, const SurfaceFluctuation& surface, 
                         deviation.value / record.flow()->numerics.spacing));
     }
     if (record.flow() != nullptr) {
-        analysis.findings.push_back(make_finding(chapters::surface, "surface_relative_deviation",
-                                                 "the same over the water depth", "1",
-                                                 deviation.value / record.flow()->channel.depth,
-                                                 deviation.half_width / record.flow()->channel.depth));
+        analysis.findings.push_back(make_finding(
+            chapters::surface, "surface_relative_deviation", "the same over the water depth", "1",
+            deviation.value / water_depth(record), deviation.half_width / water_depth(record)));
     }
     if (surface.line.periodic) {
         Finding level = make_finding(chapters::surface, "surface_level_deviation",

@@ -163,11 +163,26 @@ double surface_velocity(const FlowRecord& record) {
     return 0.0;
 }
 
+double water_depth(const FlowRecord& record) {
+    const Case& c = *record.flow();
+    if (record.origin() != Origin::simulated || c.channel.ends != Ends::open ||
+        record.surface().rows() == 0) {
+        return c.channel.depth;
+    }
+    const double depth = mean_level(record.surface()).mean - c.datum();
+    return depth > 0.0 ? depth : c.channel.depth;
+}
+
 double friction_velocity_of(const FlowRecord& record) {
     const Case* const flow = record.flow();
     if (flow == nullptr) return 0.0;
     const std::optional<StressLine> line = fit_stress_line(*flow, record.profiles());
     if (line && line->crest_stress > 0.0) return std::sqrt(line->crest_stress / flow->fluid.density);
+    const auto& of = fields::time_series;
+    const std::optional<double> by_force = open_friction_velocity(
+        *flow, within_window(record, of.drag_over_gravity), within_window(record, of.wall_over_gravity),
+        within_window(record, of.water_volume));
+    if (by_force && *by_force > 0.0) return *by_force;
     if (flow->measured.friction_velocity) return *flow->measured.friction_velocity;
     return flow->channel.slope > 0.0
                ? friction_velocity_from_slope(flow->streamwise_gravity(), flow->channel.depth)

@@ -179,6 +179,10 @@ class FlowRecord {
 /// none.
 [[nodiscard]] const ScalarProbe* find_at_end(const FlowRecord& record, const Field& quantity, int end);
 
+/// Depth of the water above the datum that lengths are scaled with, m: that of the case, and between open
+/// ends, where that is of the start alone, the mean of the recorded surface.
+[[nodiscard]] double water_depth(const FlowRecord& record);
+
 /// Velocity that the flow is scaled with, m/s: the simulated depth-mean velocity over the window; of a
 /// laboratory profile its own depth mean above the datum (profile_depth_mean), of other laboratory records
 /// the measured one of their case. 0 where none is known.

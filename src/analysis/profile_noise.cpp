@@ -27,11 +27,13 @@ constexpr double middle_to = 0.8;
 
 /// Mean of a quantity over the layers there.
 template <class Value>
-double mean_at_middle(const Case& c, const EddiesAndNoise& split, const Value& value) {
+double mean_at_middle(const FlowRecord& record, const EddiesAndNoise& split, const Value& value) {
+    const double datum = record.flow()->datum();
+    const double depth = water_depth(record);
     double sum = 0.0;
     int count = 0;
     for (std::size_t i = 0; i < split.z.size(); ++i) {
-        const double height = (split.z[i] - c.datum()) / c.channel.depth;
+        const double height = (split.z[i] - datum) / depth;
         if (height > middle_from && height < middle_to) {
             sum += value(i);
             ++count;
@@ -43,7 +45,7 @@ double mean_at_middle(const Case& c, const EddiesAndNoise& split, const Value& v
 /// Eddies that have to live in water of the noise's viscosity need a Reynolds number like any others.
 void add_noise_viscosity(const FlowRecord& record, const EddiesAndNoise& split, Analysis& analysis) {
     const Case& c = *record.flow();
-    const double h = c.channel.depth;
+    const double h = water_depth(record);
     const double viscosity = noise_viscosity(split, c.datum() + middle_from * h, c.datum() + middle_to * h);
     if (!(viscosity > 0.0)) return;
     Finding noise = make_finding(chapters::profiles, "noise_viscosity",
@@ -72,7 +74,7 @@ Figure intensities(const FlowRecord& record, const EddiesAndNoise& split) {
         make_axis("height above the datum over depth z/h", "1"));
     const double friction_velocity = friction_velocity_of(record);
     std::vector<double> height;
-    for (const double z : split.z) height.push_back((z - c.datum()) / c.channel.depth);
+    for (const double z : split.z) height.push_back((z - c.datum()) / water_depth(record));
     const auto add = [&](const std::string& name, std::vector<double> rms, Mark mark, int variant) {
         for (double& value : rms) value /= friction_velocity;
         figure.curves.push_back(make_curve(name, Origin::simulated, mark, std::move(rms), height, variant));
@@ -114,7 +116,6 @@ Figure stresses(const FlowRecord& record, const EddiesAndNoise& split) {
 void add_eddies_and_noise(const FlowRecord& record, Analysis& analysis) {
     const EddiesAndNoise& split = record.eddies_and_noise();
     if (split.empty() || friction_velocity_of(record) <= 0.0) return;
-    const Case& c = *record.flow();
     if (between_side_walls(record)) {
         const std::string why =
             "between side walls the departures from a layer's mean over the width are those of the mean flow across "
@@ -128,9 +129,10 @@ void add_eddies_and_noise(const FlowRecord& record, Analysis& analysis) {
     analysis.figures.push_back(intensities(record, split));
     analysis.figures.push_back(stresses(record, split));
     const auto squared = [](double value) { return value * value; };
-    const double noise = mean_at_middle(c, split, [&](std::size_t i) { return squared(split.noise[2][i]); });
+    const double noise =
+        mean_at_middle(record, split, [&](std::size_t i) { return squared(split.noise[2][i]); });
     const double eddies =
-        mean_at_middle(c, split, [&](std::size_t i) { return squared(split.eddies[2][i]); });
+        mean_at_middle(record, split, [&](std::size_t i) { return squared(split.eddies[2][i]); });
     if (noise + eddies > 0.0) {
         Finding share = make_finding(chapters::profiles, "noise_share_of_vertical_velocity",
                                      "share of the particles' noise in w'^2, 0.2 to 0.8 of the depth", "1",
@@ -140,12 +142,13 @@ void add_eddies_and_noise(const FlowRecord& record, Analysis& analysis) {
                        "smaller than four spacings included";
         analysis.findings.push_back(std::move(share));
     }
-    const double stress = mean_at_middle(c, split, [&](std::size_t i) { return split.stress[i]; });
+    const double stress = mean_at_middle(record, split, [&](std::size_t i) { return split.stress[i]; });
     if (stress > 0.0) {
         analysis.findings.push_back(make_finding(
             chapters::profiles, "eddies_share_of_stress",
             "share of the Reynolds stress that eddies carry, 0.2 to 0.8 of the depth", "1",
-            mean_at_middle(c, split, [&](std::size_t i) { return split.stress_of_eddies[i]; }) / stress));
+            mean_at_middle(record, split, [&](std::size_t i) { return split.stress_of_eddies[i]; }) /
+                stress));
     }
     add_noise_viscosity(record, split, analysis);
 }

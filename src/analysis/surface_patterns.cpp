@@ -66,7 +66,7 @@ double add_correlation(const FlowRecord& record, const Correlate& correlate, Ana
                                        "characteristic period of the surface L0", "m", period,
                                        fit.characteristic_period.half_width);
         if (record.flow() != nullptr) {
-            const double depth = record.flow()->channel.depth;
+            const double depth = water_depth(record);
             finding.remark = fmt::format("{:.2f} h_w", period / depth);
             if (record.flow()->measured.surface_standard_deviation) {
                 finding =
@@ -229,7 +229,7 @@ void add_upwellings(const FlowRecord& record, const SpaceTime& line, Analysis& a
     const Case& c = *record.flow();
     try {
         const UpwellingCounts counts =
-            count_upwellings(surface_vertical_velocity(line, velocity), c.channel.depth);
+            count_upwellings(surface_vertical_velocity(line, velocity), water_depth(record));
         const auto add = [&](const char* key, const char* label, const MeanEstimate& number,
                              double per_depth) {
             if (!(number.half_width < number.mean)) {
@@ -238,11 +238,11 @@ void add_upwellings(const FlowRecord& record, const SpaceTime& line, Analysis& a
                 return;
             }
             Finding finding =
-                make_finding(chapters::surface, key, label, "1", number.mean, number.half_width);
+                make_finding(chapters::surface, key, label, "1", number.mean, trusted_half_width(number));
             finding.remark = fmt::format(
                 "{:.3g} per water depth along the bed; across a flume of {:.3g} m about A_r/2 = {:.2g} are "
                 "expected (Tamburrino & Gulliver)",
-                per_depth, c.channel.width, expected_upwellings(c.channel.width, c.channel.depth));
+                per_depth, c.channel.width, expected_upwellings(c.channel.width, water_depth(record)));
             analysis.findings.push_back(std::move(finding));
         };
         add("upwellings", "upwellings on the line at a time", counts.upwellings, counts.upwellings_per_depth);
@@ -282,10 +282,10 @@ void add_place_patterns(const FlowRecord& record, const std::vector<SurfaceStati
     }
     if (places.size() < 2) return;
     for (StationRecord& place : places) place.values.resize(samples);
-    if (const Case* const flow = record.flow()) {
+    if (record.flow() != nullptr) {
         // A pattern is 1.5-2 depths long: places further apart than half of it cannot tell it from the next.
         const std::vector<StationPair> pairs = pairs_by_distance(places);
-        if (pairs.empty() || pairs.front().distance > flow->channel.depth) {
+        if (pairs.empty() || pairs.front().distance > water_depth(record)) {
             analysis.warnings.emplace_back(
                 "the nearest places are further apart than a water depth, about half a pattern of the "
                 "surface: neither its celerity nor L0 can be had from their lags alone");

@@ -77,9 +77,10 @@ void add_surface_plan(const FlowRecord& record, Analysis& analysis) {
     std::vector<double> level = means_of(maps);
     const double whole = mean_of(level);
     Finding finding =
-        against(make_finding(chapters::surface, "plan_mean_water_depth",
-                             "mean depth of the water above the datum over the plan", "m", whole - c.datum()),
-                c.channel.depth, "case, h_w");
+        make_finding(chapters::surface, "plan_mean_water_depth",
+                     "mean depth of the water above the datum over the plan", "m", whole - c.datum());
+    // Between open ends the depth of the case is that of the start.
+    if (c.channel.ends != Ends::open) finding = against(std::move(finding), c.channel.depth, "case, h_w");
     for (double& value : level) value -= whole;
     finding.remark = fmt::format("from {} maps; the thesis' levels are within 2 %", maps.time.size());
     analysis.findings.push_back(std::move(finding));

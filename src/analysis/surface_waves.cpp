@@ -107,7 +107,7 @@ GravityCapillaryWaves waves_on(const FlowRecord& record) {
     const Case& c = *record.flow();
     GravityCapillaryWaves waves;
     constexpr double water_surface_tension = 0.072;  // N/m, clean water; the particles have none
-    waves.depth = c.channel.depth;
+    waves.depth = water_depth(record);
     // Short waves and patterns travel with the water at the surface.
     waves.velocity = velocity_of_patterns(record);
     waves.gravity = c.normal_gravity();

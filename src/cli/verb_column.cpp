@@ -13,6 +13,7 @@
 #include "cli/printed_number.hpp"
 #include "cli/verbs.hpp"
 #include "column/column.hpp"
+#include "column/wide_channel.hpp"
 #include "hydraulics/channel_laws.hpp"
 
 namespace riffle::inline cli {
@@ -47,10 +48,9 @@ std::optional<double> from_measured_velocity(const Case& c, Function function) {
 }
 
 void print_summary(const Case& c, const ColumnResult& r) {
-    const double depth = c.channel.depth;
-    const double weight = c.streamwise_gravity();
+    const WideChannel channel = wide_channel(c);
     fmt::print("{}\n", c.title.empty() ? "Column twin of the case" : c.title);
-    fmt::print("depth over the datum {} m, total depth {} m, slope {}\n\n", printed_number(depth),
+    fmt::print("depth over the datum {} m, total depth {} m, slope {}\n\n", printed_number(channel.depth),
                printed_number(c.total_depth()), printed_number(c.channel.slope));
     fmt::print("  {:<44} {:>10} {:>10} {:>10}\n", "", "column", "measured", "difference");
     print_row("depth-mean velocity over the datum, U", "m/s", r.depth_mean_velocity,
@@ -70,20 +70,20 @@ void print_summary(const Case& c, const ColumnResult& r) {
     if (!c.vegetation.empty()) print_row("weight carried by the vegetation", "%", 100.0 * r.vegetation_share);
     if (!c.porous.empty()) print_row("weight carried by porous layers", "%", 100.0 * r.porous_share);
     if (r.depth_mean_velocity > 0.0) {
-        print_row("friction factor f", "", r.friction_factor,
-                  from_measured_velocity(c, [&](double u) { return friction_factor(weight, depth, u); }));
-        print_row("Manning n", "s/m^(1/3)", r.manning, from_measured_velocity(c, [&](double u) {
-                      return manning_coefficient(c.channel.slope, depth, u);
-                  }));
-        print_row("Chezy C", "m^(1/2)/s", r.chezy, from_measured_velocity(c, [&](double u) {
-                      return chezy_coefficient(c.channel.slope, depth, u);
-                  }));
-        print_row("Reynolds number U h/nu", "", r.reynolds, from_measured_velocity(c, [&](double u) {
-                      return reynolds_number(u, depth, c.fluid.kinematic_viscosity);
-                  }));
-        print_row("Froude number U/sqrt(g h)", "", r.froude, from_measured_velocity(c, [&](double u) {
-                      return froude_number(u, c.fluid.gravity, depth);
-                  }));
+        const auto print_number = [&](const char* label, const char* unit, double of_column,
+                                      double (WideChannel::*law)(double) const) {
+            print_row(label, unit, of_column,
+                      from_measured_velocity(c, [&](double u) { return (channel.*law)(u); }));
+        };
+        print_number("friction factor f", "", r.friction_factor, &WideChannel::friction_factor);
+        if (channel.has_surface) {
+            print_number("Manning n", "s/m^(1/3)", r.manning, &WideChannel::manning);
+            print_number("Chezy C", "m^(1/2)/s", r.chezy, &WideChannel::chezy);
+        }
+        print_number("Reynolds number U h/nu", "", r.reynolds, &WideChannel::reynolds);
+        if (channel.has_surface) {
+            print_number("Froude number U/sqrt(g h)", "", r.froude, &WideChannel::froude);
+        }
         print_row("e-folding time of the approach to it", "s", r.relaxation_time);
     }
     if (r.log_law.valid) {
@@ -91,8 +91,9 @@ void print_summary(const Case& c, const ColumnResult& r) {
                    r.log_law.from == c.crest() ? "the crest, " : "", printed_number(r.log_law.from),
                    printed_number(r.log_law.to));
     }
-    fmt::print("{}Wide channel: the hydraulic radius is the depth over the datum.\n",
-               r.log_law.valid ? "" : "\n");
+    fmt::print("{}Wide channel: the hydraulic radius is {}.\n", r.log_law.valid ? "" : "\n",
+               channel.hydraulic_radius < channel.depth ? "half of the height between the walls"
+                                                        : "the depth over the datum");
     if (!c.measured.uniform) {
         fmt::print("The measured flow was not uniform; the column is.\n");
     }

@@ -13,6 +13,7 @@
 #include "column/centreline.hpp"
 #include "column/column_grid.hpp"
 #include "column/momentum_balance.hpp"
+#include "column/wide_channel.hpp"
 #include "hydraulics/channel_laws.hpp"
 #include "turbulence/closure.hpp"
 #include "turbulence/wall_law.hpp"
@@ -177,14 +178,13 @@ ColumnResult solve_column(const Case& c, int cells) {
     const bool over_bed_alone = c.vegetation.empty() && c.porous.empty();
     if (over_bed_alone && has_log_law(c)) result.log_law = fit_column_profile(c, result);
 
-    // A wide channel: the hydraulic radius is the depth over the datum.
-    const double radius = c.channel.depth;
+    const WideChannel channel = wide_channel(c);
     const double mean = result.depth_mean_velocity;
-    result.friction_factor = friction_factor(c.streamwise_gravity(), radius, mean);
-    result.manning = manning_coefficient(c.channel.slope, radius, mean);
-    result.chezy = chezy_coefficient(c.channel.slope, radius, mean);
-    result.reynolds = reynolds_number(mean, c.channel.depth, c.fluid.kinematic_viscosity);
-    result.froude = froude_number(mean, c.fluid.gravity, c.channel.depth);
+    result.friction_factor = channel.friction_factor(mean);
+    result.manning = channel.manning(mean);
+    result.chezy = channel.chezy(mean);
+    result.reynolds = channel.reynolds(mean);
+    result.froude = channel.froude(mean);
     return result;
 }
 

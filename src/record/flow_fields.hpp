@@ -168,8 +168,10 @@ struct ProfileFields {
     ProfileField bin_lower = profile("bin_lower", "m", "lower edge of the layer", &Profiles::bin_lower);
     ProfileField bin_upper = profile("bin_upper", "m", "upper edge of the layer", &Profiles::bin_upper);
     ProfileField velocity = profile("velocity", "m/s", "time-mean streamwise velocity", &Profiles::velocity);
-    ProfileField velocity_half_width = profile(
-        "velocity_half_width", "m/s", "half-width of its 95 % interval", &Profiles::velocity_half_width);
+    ProfileField velocity_half_width =
+        profile("velocity_half_width", "m/s",
+                "half-width of its 95 % interval; NaN from fewer than ten independent samples",
+                &Profiles::velocity_half_width);
     ProfileField vertical_velocity = profile("vertical_velocity", "m/s", "time-mean vertical velocity",
                                              &Profiles::vertical_velocity, {.reader = Reader::users});
     ProfileField column_velocity =

@@ -5,6 +5,7 @@
 
 #include "analysis/figure_tools.hpp"
 #include "case/flow_kind.hpp"
+#include "column/wide_channel.hpp"
 #include "hydraulics/channel_laws.hpp"
 #include "record/run_fields.hpp"
 #include "record/twin_fields.hpp"
@@ -214,21 +215,21 @@ void add_levels(Table& table, const ReportData& data, const Analysis& analysis) 
 /// flow is computed: hydraulic radius = depth above the datum).
 void add_channel_numbers(Table& table, const ReportData& data, const Sources& mean) {
     const Case& c = data.flow;
-    const double depth = c.channel.depth;
     if (c.channel.slope <= 0) return;  // no mean flow to characterise
-    const double component = c.streamwise_gravity();
-    const double slope = c.channel.slope;
+    const WideChannel channel = wide_channel(c);
+    const auto through = [&](double (WideChannel::*law)(double) const) {
+        return mean.through([&channel, law](double u) { return (channel.*law)(u); });
+    };
     table.add(row_of("friction_factor", "Friction factor (Darcy and Weisbach)", "<i>f</i>", "1"),
-              mean.through([=](double u) { return friction_factor(component, depth, u); }));
-    table.add(row_of("manning", "Manning's coefficient", "<i>n</i>", "s/m<sup>1/3</sup>"),
-              mean.through([=](double u) { return manning_coefficient(slope, depth, u); }));
-    table.add(row_of("chezy", "Chezy's coefficient", "<i>C</i>", "m<sup>1/2</sup>/s"),
-              mean.through([=](double u) { return chezy_coefficient(slope, depth, u); }));
-    table.add(row_of("froude", "Froude number", "Fr", "1", 1, 3),
-              mean.through([=, g = c.fluid.gravity](double u) { return froude_number(u, g, depth); }));
-    table.add(row_of("reynolds", "Reynolds number", "Re", "1"),
-              mean.through(
-                  [=, nu = c.fluid.kinematic_viscosity](double u) { return reynolds_number(u, depth, nu); }));
+              through(&WideChannel::friction_factor));
+    if (channel.has_surface) {
+        table.add(row_of("manning", "Manning's coefficient", "<i>n</i>", "s/m<sup>1/3</sup>"),
+                  through(&WideChannel::manning));
+        table.add(row_of("chezy", "Chezy's coefficient", "<i>C</i>", "m<sup>1/2</sup>/s"),
+                  through(&WideChannel::chezy));
+        table.add(row_of("froude", "Froude number", "Fr", "1", 1, 3), through(&WideChannel::froude));
+    }
+    table.add(row_of("reynolds", "Reynolds number", "Re", "1"), through(&WideChannel::reynolds));
 }
 
 void add_forces(Table& table, const ReportData& data) {
@@ -259,7 +260,9 @@ void add_forces(Table& table, const ReportData& data) {
     }
     // A bed that acts by its elements alone has no wall friction to report.
     const auto wall = find_value(data.summary, fields::summary.wall_over_gravity);
-    const auto column_wall = find_value(data.column, fields::column_numbers.wall_share);
+    auto column_wall = find_value(data.column, fields::column_numbers.wall_share);
+    // That of the column is the bed's alone, the particles' that of the wall above as well.
+    if (column_wall && data.flow.channel.top == Top::wall) *column_wall *= 2.0;
     if (wall.value_or(0.0) == 0.0 && column_wall.value_or(0.0) == 0.0) return;
     table.add(row_of("wall_over_gravity", "Wall friction / weight component", "", "1", 1, 3),
               {plain(wall), {}, plain(column_wall)});

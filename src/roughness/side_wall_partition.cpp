@@ -4,23 +4,40 @@
 
 namespace riffle::inline roughness {
 
-SideWallPartition side_wall_partition(double depth, double width, double streamwise_gravity) {
-    // Newton from above: the cubic is convex and increasing there, so the steps fall onto its one real root.
-    const double slope = 2.0 * depth / width;
-    double k = 1.3;  // the root of k^3 = 2 is 1.26, and slope > 0 makes it smaller
+namespace {
+
+/// The real root of k^3 + a k^2 + b k + c by Newton's steps from above, where the cubic is convex and grows,
+/// so that they fall onto it.
+double root_below(double start, double a, double b, double c) {
+    double k = start;
     for (int i = 0; i < 50; ++i) {
-        const double step = (k * k * k + slope * k - 2.0) / (3.0 * k * k + slope);
+        const double step = (((k + a) * k + b) * k + c) / ((3.0 * k + 2.0 * a) * k + b);
         k -= step;
         if (std::abs(step) < 1e-15) break;
     }
+    return k;
+}
+
+}  // namespace
+
+SideWallPartition side_wall_partition(double depth, double width, double streamwise_gravity) {
+    constexpr double above_all = 1.3;  // k lies between 0.79 and 1.26, the cube roots of 1/2 and 2
     SideWallPartition p;
-    p.k = k;
-    p.wall_area = 0.5 * k * depth * depth;
-    p.bed_area = width * depth - 2.0 * p.wall_area;
+    const double whole = width * depth;
+    // The lines from the corners go k wide for 1 up.
+    if (width >= 2.0 * depth) {
+        p.k = root_below(above_all, 0.0, 2.0 * depth / width, -2.0);
+        p.wall_area = 0.5 * p.k * depth * depth;
+        p.bed_area = whole - 2.0 * p.wall_area;
+    } else {
+        p.k = root_below(above_all, -0.25 * width / depth, 0.0, -0.5);
+        p.bed_area = 0.25 * width * width / p.k;
+        p.wall_area = 0.5 * (whole - p.bed_area);
+    }
     p.bed_stress = streamwise_gravity * p.bed_area / width;
     p.wall_stress = streamwise_gravity * p.wall_area / depth;
-    p.bed_share = p.bed_area / (width * depth);
-    p.wall_over_bed = depth / (k * k * width);
+    p.bed_share = p.bed_area / whole;
+    p.wall_over_bed = depth / (p.k * p.k * width);
     return p;
 }
 

@@ -5,10 +5,13 @@
 namespace riffle::inline roughness {
 
 /// How the weight of the water divides between the bed and the side walls (Yang & Lim 1997; thesis 5.11):
-/// along the lines on which the flow areas A_b = W_b H - k H^2 of the bed and A_w = k H^2/2 of each wall
-/// meet.
+/// along lines from the corners, on which the flow areas A_b = W_b H - k H^2 of the bed and A_w = k H^2/2 of
+/// each wall meet. In a channel narrower than two depths they cross below the surface, and the bed has the
+/// triangle below, A_b = W_b^2/(4 k).
 struct SideWallPartition {
-    double k = 0.0;            ///< u_*bed/u_*wall, the root of k^3 + (2 H/W_b) k - 2 = 0
+    /// u_*bed/u_*wall: k^2 = (A_b/W_b)/(A_w/H) is k^3 + (2 H/W_b) k - 2 = 0, in a narrow channel
+    /// k^3 - W_b/(4 H) k^2 - 1/2 = 0.
+    double k = 0.0;
     double bed_area = 0.0;     ///< A_b, m2
     double wall_area = 0.0;    ///< A_w of one wall, m2
     double bed_stress = 0.0;   ///< tau_bed/rho = g S0 A_b/W_b, m2/s2

@@ -20,6 +20,7 @@
 #include "particles/lattice.hpp"
 #include "roughness/porous_resistance.hpp"
 #include "roughness/vegetation.hpp"
+#include "solver/averaging_rows.hpp"
 #include "solver/convergence.hpp"
 #include "solver/profile_blocks.hpp"
 #include "solver/recorder.hpp"
@@ -88,7 +89,7 @@ RecordedBytes recorded_bytes(const Case& c, double particles, double time) {
     RecordedBytes bytes;
     bytes.kept = count(c.output.series_interval) * static_cast<double>(TimeSeries(c).columns().size()) *
                      sizeof(double) +
-                 time / profile_block_duration * lattice.rows *
+                 time / profile_block_duration * averaging_rows(c) *
                      static_cast<double>(profile_quantities(dimensions)) * sizeof(double);
     if (c.channel.top == Top::free_surface) {
         bytes.surface = count(c.output.surface_interval) * (lattice.columns * 4.0 + 8.0);

@@ -12,6 +12,7 @@
 #include "particles/lattice.hpp"
 #include "record/field_content.hpp"
 #include "record/flow_fields.hpp"
+#include "solver/averaging_rows.hpp"
 #include "solver/content.hpp"
 #include "solver/recorder.hpp"
 
@@ -72,7 +73,7 @@ MeanField::MeanField(const Case& c) {
         count_[k] = std::max<std::size_t>(1, static_cast<std::size_t>(std::lround(extent[k] / spacing)));
         edge_[k] = extent[k] / static_cast<double>(count_[k]);
     }
-    count_[2] = static_cast<std::size_t>(lattice.rows);
+    count_[2] = static_cast<std::size_t>(averaging_rows(c));
     edge_[2] = lattice.dz;
     sums_ = CellSums(count_);
     window_end_ = due_after(0.0, interval_);

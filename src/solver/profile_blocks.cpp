@@ -7,9 +7,12 @@
 
 #include "base/due_times.hpp"
 #include "base/interpolation.hpp"
+#include "base/not_a_number.hpp"
 #include "base/parallel.hpp"
 #include "case/end_buffers.hpp"
+#include "case/flow_kind.hpp"
 #include "particles/lattice.hpp"
+#include "solver/averaging_rows.hpp"
 #include "statistics/confidence.hpp"
 
 namespace riffle::inline solver {
@@ -74,7 +77,7 @@ std::span<const std::string> profile_quantity_names(int dimensions) {
 ProfileSampler::ProfileSampler(const Case& c, const ColumnResult* column, const SectionResult* section)
     : case_(c), column_(column), section_(section), quantities_(profile_quantities(c.channel.dimensions)) {
     const Lattice lattice = lattice_of(c);
-    layers_ = static_cast<std::size_t>(lattice.rows);
+    layers_ = static_cast<std::size_t>(averaging_rows(c));
     thickness_ = lattice.dz;
     plan_area_ = c.channel.length * c.channel.flow_width();
     current_.end = profile_block_duration;
@@ -169,6 +172,40 @@ void ProfileSampler::restore(std::vector<ProfileBlock> blocks, ProfileBlock curr
     current_ = std::move(current);
 }
 
+std::vector<double> ProfileSampler::lost_above(const std::vector<double>& sums, LayerQuantity force,
+                                               double per_area) const {
+    std::vector<double> lost(layers_, 0.0);
+    double sum = 0.0;
+    for (std::size_t layer = layers_; layer-- > 0;) {
+        lost[layer] = -sum;
+        sum += sums[layer * quantities_ + index(force)] * per_area;
+    }
+    return lost;
+}
+
+std::vector<double> ProfileSampler::stress_of_means(const std::vector<double>& sums) const {
+    const auto mean = [&](std::size_t layer, LayerQuantity q) {
+        const double* s = &sums[layer * quantities_];
+        return s[index(q)] / s[index(LayerQuantity::count)];
+    };
+    const auto holds_water = [&](std::size_t layer) {
+        return sums[layer * quantities_ + index(LayerQuantity::count)] > 0.0;
+    };
+    std::vector<double> upper(layers_, 0.0);
+    for (std::size_t layer = 0; layer + 1 < layers_; ++layer) {
+        if (!holds_water(layer) || !holds_water(layer + 1)) continue;
+        const double eddies = 0.5 * (mean(layer, LayerQuantity::eddy_viscosity) +
+                                     mean(layer + 1, LayerQuantity::eddy_viscosity));
+        const double gradient = (mean(layer + 1, LayerQuantity::u) - mean(layer, LayerQuantity::u)) /
+                                (mean(layer + 1, LayerQuantity::height) - mean(layer, LayerQuantity::height));
+        upper[layer] = case_.fluid.density * (case_.fluid.kinematic_viscosity + eddies) * gradient;
+    }
+    if (case_.channel.top == Top::wall && layers_ > 2) {
+        upper.back() = 2.0 * upper[layers_ - 2] - upper[layers_ - 3];
+    }
+    return upper;
+}
+
 Profiles ProfileSampler::average(double from, double to) const {
     Profiles result;
     std::vector<double> sums(layers_ * quantities_, 0.0);
@@ -204,18 +241,13 @@ Profiles ProfileSampler::average(double from, double to) const {
         twin_height = &column_->profile.z;
         twin_stress = &column_->profile.shear_stress;
     }
-    double pair_flux = 0.0;
-    double viscous_flux = 0.0;
-    std::vector<double> pair_upper(layers_, 0.0);
-    std::vector<double> viscous_upper(layers_, 0.0);
-    for (std::size_t layer = layers_; layer-- > 0;) {
-        // The momentum that the layers above a plane lose to it is the stress on the plane.
-        pair_upper[layer] = -pair_flux;
-        viscous_upper[layer] = -viscous_flux;
-        const double* s = &sums[layer * quantities_];
-        pair_flux += s[index(LayerQuantity::pair_force)] / (result.samples * plan_area_);
-        viscous_flux += s[index(LayerQuantity::viscous_force)] / (result.samples * plan_area_);
-    }
+    const double per_area = 1.0 / (result.samples * plan_area_);
+    const std::vector<double> pair_upper = lost_above(sums, LayerQuantity::pair_force, per_area);
+    const std::vector<double> viscous_upper = only_bed_holds(case_)
+                                                  ? lost_above(sums, LayerQuantity::viscous_force, per_area)
+                                                  : stress_of_means(sums);
+    // Between ends that differ the pressure drives the water, which is no stress on planes.
+    const bool has_pair_stress = case_.channel.ends == Ends::periodic;
     std::vector<double> reynolds(layers_, 0.0);
     for (std::size_t layer = 0; layer < layers_; ++layer) {
         const double* s = &sums[layer * quantities_];
@@ -238,7 +270,9 @@ Profiles ProfileSampler::average(double from, double to) const {
         result.bin_upper.push_back(upper);
         result.z.push_back(mean(LayerQuantity::height));
         result.velocity.push_back(u);
-        result.velocity_half_width.push_back(mean_with_confidence(layer_velocity[layer]).half_width);
+        const MeanEstimate of_blocks = mean_with_confidence(layer_velocity[layer]);
+        result.velocity_half_width.push_back(
+            of_blocks.effective_samples < fewest_effective_samples ? not_a_number : of_blocks.half_width);
         result.vertical_velocity.push_back(w);
         result.column_velocity.push_back(mean(LayerQuantity::column_u));
         result.velocity_deviation.push_back(u - mean(LayerQuantity::column_u));
@@ -251,18 +285,18 @@ Profiles ProfileSampler::average(double from, double to) const {
         const double reynolds_upper =
             layer + 1 < layers_ ? 0.5 * (reynolds[layer] + reynolds[layer + 1]) : 0.0;
         result.reynolds_stress.push_back(reynolds_upper);
-        result.pair_stress.push_back(pair_upper[layer]);
+        if (has_pair_stress) result.pair_stress.push_back(pair_upper[layer]);
         result.viscous_stress.push_back(viscous_upper[layer]);
-        result.total_stress.push_back(reynolds_upper + pair_upper[layer] + viscous_upper[layer]);
-        // Side walls, stems and stones carry a part of the weight that a twin alone knows.
-        const bool bed_alone =
-            !case_.has_side_wall_drag() && case_.vegetation.empty() && case_.porous.empty();
-        if (twin_height != nullptr || bed_alone) {
+        result.total_stress.push_back(reynolds_upper + (has_pair_stress ? pair_upper[layer] : 0.0) +
+                                      viscous_upper[layer]);
+        // Walls, stems and stones carry a part of the weight that a twin alone knows.
+        const bool bed_alone = only_bed_holds(case_) && !case_.has_side_wall_drag() &&
+                               case_.vegetation.empty() && case_.porous.empty();
+        if (has_pair_stress && (twin_height != nullptr || bed_alone)) {
             const double line = rho * case_.streamwise_gravity() * (case_.total_depth() - upper);
-            result.analytic_stress.push_back(twin_height != nullptr &&
-                                                     upper < case_.total_depth() - 0.5 * thickness_
-                                                 ? stress_at(*twin_height, *twin_stress, upper)
-                                                 : line);
+            const bool of_twin = twin_height != nullptr && (case_.channel.top == Top::wall ||
+                                                            upper < case_.total_depth() - 0.5 * thickness_);
+            result.analytic_stress.push_back(of_twin ? stress_at(*twin_height, *twin_stress, upper) : line);
         }
         const double volume = result.samples * plan_area_ * thickness_;
         result.drag.push_back(s[index(LayerQuantity::drag_force)] / volume);

@@ -81,6 +81,14 @@ class ProfileSampler {
     template <int D>
     void add_particles(const SimulationIn<D>& simulation, std::size_t begin, std::size_t end,
                        std::vector<double>& layer_sums) const;
+    /// Momentum per plan area that a force takes from all layers above the upper edge of each: where nothing
+    /// but the bed holds them the stress on the plane there, Pa. `per_area`: 1/(samples x plan area).
+    [[nodiscard]] std::vector<double> lost_above(const std::vector<double>& sums, LayerQuantity force,
+                                                 double per_area) const;
+    /// Stress of viscosity and closure at the upper edges of the layers, Pa, by the mean velocities and eddy
+    /// viscosities of the layers beside them; at a wall at the top on the line through the two edges below
+    /// it.
+    [[nodiscard]] std::vector<double> stress_of_means(const std::vector<double>& sums) const;
 
     Case case_;
     const ColumnResult* column_;

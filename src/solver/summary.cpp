@@ -4,8 +4,10 @@
 #include <boost/math/distributions/students_t.hpp>
 #include <cmath>
 #include <limits>
+#include <numeric>
 
 #include "case/bed_friction.hpp"
+#include "case/bed_traits.hpp"
 #include "case/flow_kind.hpp"
 #include "case/porous_zone.hpp"
 #include "case/solid_mesh.hpp"
@@ -109,7 +111,7 @@ void add_stresses(const Case& c, const Profiles& p, Numbers& summary) {
     const double from = std::max(top_of_bed_friction(c), top_of_solids(c));
     Norms spurious;
     Norms error;
-    for (std::size_t k = 0; k + 4 < p.z.size(); ++k) {
+    for (std::size_t k = 0; k + 4 < p.z.size() && !p.pair_stress.empty(); ++k) {
         if (p.bin_upper[k] < from) continue;
         spurious.add(p.pair_stress[k] / crest_stress);
         if (!p.analytic_stress.empty()) error.add((p.total_stress[k] - p.analytic_stress[k]) / crest_stress);
@@ -144,6 +146,30 @@ void add_log_law(const Case& c, const Profiles& p, Numbers& summary) {
 
 }  // namespace
 
+std::optional<double> bed_stress_of_weight(const Case& c, std::span<const double> share,
+                                           std::span<const double> volume) {
+    const double weight = c.fluid.density * c.streamwise_gravity();
+    const double area = c.channel.length * c.channel.flow_width();
+    if (!(weight > 0.0) || share.empty() || share.size() != volume.size()) return std::nullopt;
+    const double sum = std::inner_product(share.begin(), share.end(), volume.begin(), 0.0);
+    return weight * sum / static_cast<double>(share.size()) / area;
+}
+
+std::optional<double> open_friction_velocity(const Case& c, std::span<const double> drag_share,
+                                             std::span<const double> wall_share,
+                                             std::span<const double> volume) {
+    const bool other_forces = has_bodies(c) || has_solid_bed(c) || !c.vegetation.empty() ||
+                              !c.porous.empty() || c.channel.top == Top::wall ||
+                              (c.has_side_walls() && is_no_slip(c.bed));
+    if (c.channel.ends != Ends::open || other_forces) return std::nullopt;
+    const auto stress = bed_stress_of_weight(c, is_no_slip(c.bed) ? wall_share : drag_share, volume);
+    if (!stress) return std::nullopt;
+    const double depth = std::accumulate(volume.begin(), volume.end(), 0.0) /
+                         static_cast<double>(volume.size()) / (c.channel.length * c.channel.flow_width());
+    const double above_crests = std::max(0.0, 1.0 - c.crest() / depth);
+    return std::sqrt(std::max(0.0, *stress * above_crests / c.fluid.density));
+}
+
 std::optional<StressLine> fit_stress_line(const Case& c, const Profiles& p) {
     return fit_stress_line(c, p.bin_upper, p.total_stress);
 }
@@ -151,28 +177,44 @@ std::optional<StressLine> fit_stress_line(const Case& c, const Profiles& p) {
 std::optional<StressLine> fit_stress_line(const Case& c, const std::vector<double>& height,
                                           const std::vector<double>& total_stress) {
     constexpr std::size_t top_layers = 4;
-    if (c.streamwise_gravity() <= 0.0 || c.total_depth() <= c.crest()) return std::nullopt;
+    const bool balances = only_bed_holds(c) || has_periodic_lid(c);
+    if (c.streamwise_gravity() <= 0.0 || c.total_depth() <= c.crest() || !balances) return std::nullopt;
+    // The stress at the crests is the value of the line at 1; below a free surface the line ends there with
+    // nothing, at a wall at the top with what the wall takes.
     std::vector<double> line;
     std::vector<double> stress;
-    double products = 0.0;
-    double squares = 0.0;
     for (std::size_t k = 0; k + top_layers < total_stress.size() && k < height.size(); ++k) {
         if (height[k] < top_of_bed_friction(c)) continue;
         line.push_back((c.total_depth() - height[k]) / (c.total_depth() - c.crest()));
         stress.push_back(total_stress[k]);
-        products += stress.back() * line.back();
-        squares += line.back() * line.back();
     }
-    if (line.size() < 2) return std::nullopt;
-    StressLine result{products / squares, 0.0};
+    const std::size_t unknowns = has_periodic_lid(c) ? 2 : 1;
+    if (line.size() < unknowns + 1) return std::nullopt;
+    const auto count = static_cast<double>(line.size());
+    double line_mean = 0.0;
+    double stress_mean = 0.0;
+    if (unknowns == 2) {
+        line_mean = std::accumulate(line.begin(), line.end(), 0.0) / count;
+        stress_mean = std::accumulate(stress.begin(), stress.end(), 0.0) / count;
+    }
+    double products = 0.0;
+    double squares = 0.0;
+    for (std::size_t k = 0; k < line.size(); ++k) {
+        products += (stress[k] - stress_mean) * (line[k] - line_mean);
+        squares += (line[k] - line_mean) * (line[k] - line_mean);
+    }
+    const double slope = products / squares;
+    StressLine result{stress_mean + slope * (1.0 - line_mean), 0.0};
     double departures = 0.0;
     for (std::size_t k = 0; k < line.size(); ++k) {
-        const double departure = stress[k] - result.crest_stress * line[k];
+        const double departure = stress[k] - stress_mean - slope * (line[k] - line_mean);
         departures += departure * departure;
     }
-    const double freedom = static_cast<double>(line.size()) - 1.0;
+    const double freedom = count - static_cast<double>(unknowns);
+    const double spread =
+        (1.0 - line_mean) * (1.0 - line_mean) / squares + (unknowns == 2 ? 1.0 / count : 0.0);
     const boost::math::students_t student(freedom);
-    result.half_width = boost::math::quantile(student, 0.975) * std::sqrt(departures / freedom / squares);
+    result.half_width = boost::math::quantile(student, 0.975) * std::sqrt(departures / freedom * spread);
     return result;
 }
 
@@ -255,6 +297,11 @@ Numbers summarise(const Case& c, const Twins& twins, const TimeSeries& series, c
         }
     }
     add_stresses(c, profiles, summary);
+    const auto in_window = [&](const Field& field) { return std::span(series.column(field)).subspan(first); };
+    const auto by_force =
+        open_friction_velocity(c, in_window(of_series.drag_over_gravity),
+                               in_window(of_series.wall_over_gravity), in_window(of_series.water_volume));
+    if (by_force) summary.set(fields::summary.friction_velocity, *by_force);
     add_log_law(c, profiles, summary);
     return summary;
 }

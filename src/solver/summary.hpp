@@ -1,6 +1,7 @@
 #pragma once
 
 #include <optional>
+#include <span>
 #include <vector>
 
 #include "case/case.hpp"
@@ -22,7 +23,21 @@ struct StressLine {
     double half_width = 0.0;
 };
 
-/// None without a slope or with too few layers above the crest.
+/// Mean force of the bed on the water per plan area, Pa, from rows of its share of the weight component of
+/// the water that is there (drag_over_gravity, wall_over_gravity) and of the water's volume, m3 (2D: m2);
+/// none without a slope.
+[[nodiscard]] std::optional<double> bed_stress_of_weight(const Case& c, std::span<const double> share,
+                                                         std::span<const double> volume);
+
+/// Friction velocity at the crests between open ends, where no line of stress tells it: from the force of the
+/// bed over all of the channel, the part of it that the water above the crests has. None where something else
+/// holds the water as well, and without a slope. Spans as of bed_stress_of_weight().
+[[nodiscard]] std::optional<double> open_friction_velocity(const Case& c, std::span<const double> drag_share,
+                                                           std::span<const double> wall_share,
+                                                           std::span<const double> volume);
+
+/// None without a slope or with too few layers above the crest, and where more than the bed holds the water
+/// (only_bed_holds()), but below a wall at the top, where the line need not end with nothing.
 [[nodiscard]] std::optional<StressLine> fit_stress_line(const Case& c, const Profiles& profiles);
 /// The same of stresses at these heights above the bed level, from below; the four highest are left out.
 [[nodiscard]] std::optional<StressLine> fit_stress_line(const Case& c, const std::vector<double>& height,

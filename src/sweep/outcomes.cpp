@@ -53,7 +53,8 @@ const std::vector<TwinName>& twin_names() {
     return names;
 }
 
-/// Half-width of the mean of a series over the averaging window; not-a-number where there is none.
+/// Half-width of the mean of a series over the averaging window; not-a-number where there is none, or where
+/// too few samples of it are independent to know.
 double half_width_of_series(const RunResults& results, const std::string& name) {
     const auto all = fields_of(fields::time_series);
     const auto field = std::find_if(all.begin(), all.end(), [&](const Field& f) { return f.name == name; });
@@ -66,7 +67,9 @@ double half_width_of_series(const RunResults& results, const std::string& name) 
         if (time[i] >= from) window.push_back(values[i]);
     }
     constexpr std::size_t fewest = 4;
-    return window.size() < fewest ? not_a_number : mean_with_confidence(window).half_width;
+    if (window.size() < fewest) return not_a_number;
+    const MeanEstimate mean = mean_with_confidence(window);
+    return mean.effective_samples < fewest_effective_samples ? not_a_number : mean.half_width;
 }
 
 double twin_of(const RunResults& results, const std::string& key) {

@@ -12,6 +12,7 @@
 #include "analysis/chapters.hpp"
 #include "analysis/figure_tools.hpp"
 #include "analysis/momentum_budget.hpp"
+#include "case/solid_mesh.hpp"
 #include "record/flow_fields.hpp"
 #include "record/probe_fields.hpp"
 #include "simulated_record.hpp"
@@ -240,6 +241,55 @@ TEST(EnergyBudget, BooksWhatPassesTheEnds) {
     EXPECT_NEAR(value_of(analysis, "energy_share_viscosity"), -1.9 / 2.0, 1e-6);
     EXPECT_NEAR(value_of(analysis, "energy_share_residual"), -0.15 / 2.0, 1e-6);
     EXPECT_EQ(find_finding(analysis, "energy_share_scheme"), nullptr);
+}
+
+// The powers are those of the water that is simulated, and so is the plan area.
+TEST(EnergyBudget, OfHalfAChannelIsPerAreaOfTheHalf) {
+    Case c = duct();
+    c.channel.top = Top::free_surface;
+    c.channel.ends = Ends::periodic;
+    c.channel.dimensions = 3;
+    c.channel.sides = Sides::half;
+    c.channel.width = 0.6;
+    c.channel.slope = 0.001;
+    c.solids.clear();
+    Record record(c);
+    const auto& of = fields::time_series;
+    for (const Field& field : {of.kinetic_energy, of.potential_energy, of.elastic_energy}) {
+        record.set(field, 3.0);
+    }
+    record.set(of.gravity_power, 0.9);
+    record.set(of.bed_drag_power, -0.9);
+    Analysis analysis;
+    analyse_energy(record, analysis);
+    EXPECT_NEAR(value_of(analysis, "energy_input"), 0.9 / (2.0 * 0.3), 1e-9);
+}
+
+// Half of a pier stands in half of a channel, 0.6 of its width: the same coefficients as of the whole.
+TEST(BodyCoefficients, OfHalfAPierAreThoseOfTheWhole) {
+    for (const Sides sides : {Sides::walls, Sides::half}) {
+        const double part = sides == Sides::half ? 0.5 : 1.0;
+        Case c = duct();
+        c.channel.dimensions = 3;
+        c.channel.sides = sides;
+        c.channel.width = 0.2;
+        Solid pier;
+        pier.name = "pier";
+        pier.shape = SolidShape::box;
+        pier.centre = {1.0, 0.1, 0.2};
+        pier.size = {0.12, 0.12, 0.6};
+        c.solids = {pier};
+        c.meshes = meshes_of(c);
+        Record record(c);
+        record.set(fields::time_series.inflow_discharge, 0.08 * 0.2 * part);
+        record.add("standard_force", "force", "solid_force_1", 2.0 * part);
+        record.add("standard_force", "force", "solid_lift_1", 0.1 * part, 0.6 * part, 0.7);
+        Analysis analysis;
+        add_body_coefficients(record, analysis);
+        const double head = 0.5 * 1000.0 * 0.2 * 0.2 * 0.12 * 0.4;
+        EXPECT_NEAR(value_of(analysis, "drag_coefficient_1"), 2.0 / head, 0.02 * 2.0 / head) << part;
+        EXPECT_NEAR(value_of(analysis, "strouhal_number_1"), 0.7 * 0.12 / 0.2, 0.01) << part;
+    }
 }
 
 // A half of a canal: its discharge is twice what the section of the half records.

@@ -59,7 +59,24 @@ TEST(RoughnessFits, ASmoothBedHasTheNumbersOfAChannelAlone) {
     analyse_fits(OverPlaneBed(BedKind::smooth), analysis);
     EXPECT_EQ(find_finding(analysis, "equivalent_roughness"), nullptr);
     ASSERT_NE(find_finding(analysis, "friction_factor"), nullptr);
-    EXPECT_NEAR(find_finding(analysis, "froude")->value, 0.5 / std::sqrt(9.81 * 0.08), 1e-9);
+    // Waves run by the part of gravity across the bed, and the energy falls by the sine of its slope.
+    const double cosine = 1.0 / std::sqrt(1.0 + 0.003 * 0.003);
+    EXPECT_NEAR(find_finding(analysis, "froude")->value, 0.5 / std::sqrt(9.81 * cosine * 0.08), 1e-9);
+    EXPECT_NEAR(find_finding(analysis, "chezy")->value, 0.5 / std::sqrt(0.08 * 0.003 * cosine), 1e-9);
+}
+
+// Between two walls the hydraulic radius is half of their distance, and there is no surface to have waves.
+TEST(RoughnessFits, BetweenTwoWallsTheRadiusIsHalf) {
+    OverPlaneBed plates(BedKind::no_slip);
+    plates.flow_->channel.top = Top::wall;
+    Analysis analysis;
+    analyse_fits(plates, analysis);
+    ASSERT_NE(find_finding(analysis, "friction_factor"), nullptr);
+    EXPECT_NEAR(find_finding(analysis, "friction_factor")->value,
+                8.0 * plates.flow_->streamwise_gravity() * 0.04 / 0.25, 1e-9);
+    for (const char* const key : {"manning", "chezy", "froude"}) {
+        EXPECT_EQ(find_finding(analysis, key), nullptr) << key;
+    }
 }
 
 TEST(RoughnessFits, ASlipBedHasNone) {

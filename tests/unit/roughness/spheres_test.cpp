@@ -159,10 +159,12 @@ TEST(SideWallPartition, HasTheRatiosOfTheThesisConditions) {
 }
 
 TEST(SideWallPartition, CarriesTheWholeWeight) {
-    for (const double width : {0.1, 0.459, 3.0, 1000.0}) {
+    for (const double width : {0.01, 0.1, 0.112, 0.459, 3.0, 1000.0}) {
         const double depth = 0.056;
         const SideWallPartition p = side_wall_partition(depth, width, 0.04);
-        EXPECT_NEAR(p.k * p.k * p.k + 2.0 * depth / width * p.k, 2.0, 1e-12);
+        if (width >= 2.0 * depth) {
+            EXPECT_NEAR(p.k * p.k * p.k + 2.0 * depth / width * p.k, 2.0, 1e-12);
+        }
         EXPECT_NEAR(p.bed_stress * width + 2.0 * p.wall_stress * depth, 0.04 * depth * width,
                     1e-12 * depth * width);
         EXPECT_NEAR(p.bed_area + 2.0 * p.wall_area, depth * width, 1e-12 * width);
@@ -170,6 +172,19 @@ TEST(SideWallPartition, CarriesTheWholeWeight) {
         // u_*bed/u_*wall = k, so the force on a wall over that on the bed is H/(k^2 W).
         EXPECT_NEAR(p.wall_over_bed, depth / (p.k * p.k * width), 1e-12);
     }
+    // In a channel narrower than two depths the lines of both corners meet below the surface; the water under
+    // them is the bed's. There is no jump at the width where they meet in it.
+    const SideWallPartition narrow = side_wall_partition(0.056, 0.056, 0.04);
+    double under_lines = 0.0;
+    constexpr int parts = 10000;
+    for (int i = 0; i < parts; ++i) {
+        const double y = (i + 0.5) / parts * 0.056;
+        under_lines += std::min(0.056, std::min(y, 0.056 - y) / narrow.k) * 0.056 / parts;
+    }
+    EXPECT_NEAR(narrow.bed_area, under_lines, 1e-6 * under_lines);
+    EXPECT_NEAR(narrow.k * narrow.k, narrow.bed_stress / narrow.wall_stress, 1e-12);
+    EXPECT_NEAR(side_wall_partition(0.056, 0.112 - 1e-9, 0.04).bed_share,
+                side_wall_partition(0.056, 0.112 + 1e-9, 0.04).bed_share, 1e-7);
     // A wide channel has no walls.
     EXPECT_NEAR(side_wall_partition(0.056, 1e6, 0.04).bed_share, 1.0, 1e-6);
 }

@@ -106,6 +106,8 @@ class Sample {
         dataset("/time_series/wall_over_gravity", wall);
         dataset("/time_series/acceleration_over_gravity", acceleration);
         dataset("/time_series/mean_level", level);
+        dataset("/time_series/water_volume",
+                std::vector<double>(count, c_.total_depth() * c_.channel.length * c_.channel.flow_width()));
         dataset("/time_series/velocity_fluctuation", fluctuation);
         dataset("/time_series/particle_order", order);
         dataset("/time_series/density_deviation_minimum", low);
