@@ -199,6 +199,7 @@ void analyse_forces(const FlowRecord& record, Analysis& analysis) {
     const char* const twin_name = c.has_side_walls() ? "section twin" : "column twin";
     if (c.has_side_walls()) {
         drag_share = twin.value(fields::section_numbers.drag_share);
+        wall_share = twin.value(fields::section_numbers.wall_share);
         if (!c.vegetation.empty()) vegetation_share = twin.value(fields::section_numbers.vegetation_share);
         if (!c.porous.empty()) porous_share = twin.value(fields::section_numbers.porous_share);
     } else if (record.column() != nullptr) {
@@ -224,7 +225,7 @@ void analyse_forces(const FlowRecord& record, Analysis& analysis) {
         shares.push_back({of.acceleration_over_gravity, "acceleration_share",
                           "rate of change of the momentum over the weight component", 0.0, 2});
     }
-    if (c.has_side_walls()) {
+    if (c.has_side_wall_drag()) {
         shares.push_back({of.side_wall_over_gravity, "side_wall_share",
                           "drag of the side walls over the weight component",
                           twin.value(fields::section_numbers.side_wall_share), 3});

@@ -43,14 +43,6 @@ bool is_group_name(const std::string& name) {
     });
 }
 
-/// Greatest height that an instrument may have: waves may rise above the depth, and a gauge may sit high on a
-/// wall.
-double highest(const Case& c, const Probe& p) {
-    if (!has_free_surface(c)) return c.total_depth();
-    return p.kind == ProbeKind::pressure ? std::max(wave_height(c), c.channel.wall_height.value_or(0.0))
-                                         : wave_height(c);
-}
-
 Findings outside_along(const Case& c, const Probe& p) {
     Findings found;
     for (const double x : p.x) {
@@ -79,11 +71,11 @@ Findings outside_of_water(const Case& c, const Probe& p) {
     const bool gauge = p.kind == ProbeKind::pressure;  // which may sit on the bed
     Findings found;
     for (const double z : p.z) {
-        if (has_heights(p) && (z < 0.0 || (z == 0.0 && !gauge) || z > highest(c, p))) {
+        if (has_heights(p) && (z < 0.0 || (z == 0.0 && !gauge) || z > highest_water(c))) {
             found.push_back(
                 {.detail = fmt::format(
                      "z = {} is outside of the water: expected {} (the bed level) and at most {}",
-                     shown_length(z), gauge ? "at least 0" : "more than 0", shown_length(highest(c, p)))});
+                     shown_length(z), gauge ? "at least 0" : "more than 0", shown_length(highest_water(c)))});
         }
     }
     return found;
@@ -130,7 +122,7 @@ Findings edges_outside(const Case& c, const Probe& p) {
     Findings found;
     for (const Edge& edge :
          {Edge{"x_from", p.x_from, c.channel.length}, Edge{"x_to", p.x_to, c.channel.length},
-          Edge{"z_from", p.z_from, highest(c, p)}, Edge{"z_to", p.z_to, highest(c, p)}}) {
+          Edge{"z_from", p.z_from, highest_water(c)}, Edge{"z_to", p.z_to, highest_water(c)}}) {
         if (is_grid(p) && edge.value && (*edge.value < 0.0 || *edge.value > edge.most)) {
             found.push_back(
                 {.detail = fmt::format("{} = {} is outside of the water: expected 0 to {}", edge.name,
@@ -282,7 +274,7 @@ CheckList probe_refusals() {
              return found_if(has_heights(p) && p.z.empty(), "z is missing with {}", kind_text(p));
          }},
         {{"probe.z"},
-         "`z` below the bed level, or above the total depth; under a free surface above one and a half times that, of a pressure probe above the end walls too",
+         "`z` below the bed level, or above the total depth; under a free surface above what its water may reach: one and a half times that, the walls, the water of the start, the levels at its ends with waves",
          "",
          "move it",
          outside_of_water},

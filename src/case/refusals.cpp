@@ -1,7 +1,10 @@
 #include "case/refusals.hpp"
 
+#include <algorithm>
+
 #include "base/error.hpp"
 #include "case/conversion.hpp"
+#include "case/end_levels.hpp"
 #include "case/key_table.hpp"
 
 namespace riffle::inline case_file {
@@ -72,6 +75,14 @@ void refuse_to_run(const Case& c) {
     for_each_finding(start_of_run_refusals(), c, [&](const CaseCheck& check, const CaseFinding& finding) {
         throw InputError(refusal_text(check, finding, c));
     });
+}
+
+double highest_water(const Case& c) {
+    if (!has_free_surface(c)) return c.total_depth();
+    double highest = std::max(wave_height(c), c.channel.wall_height.value_or(0.0));
+    for (const double z : c.start.water_z) highest = std::max(highest, z);
+    if (c.channel.ends != Ends::open) return highest;
+    return std::max(highest, has_end_tables(c) ? level_with_room(c) : 1.5 * highest_end_level(c));
 }
 
 }  // namespace riffle::inline case_file

@@ -111,7 +111,11 @@ inline double least_period(const Case& c) {
            2.0 * c.numerics.skin_in(c.channel.dimensions) * c.numerics.smoothing_ratio * c.numerics.spacing;
 }
 
-/// Greatest height of a surface with waves, m.
+/// Height of walls beside a surface with waves, m, where the case gives none.
 inline double wave_height(const Case& c) { return 1.5 * c.total_depth(); }
+
+/// Greatest height over the bed level up to which water may stand or swing, m: under the lid; as high as its
+/// waves, its walls, the water of its start, and the levels at its ends with the waves on them.
+[[nodiscard]] double highest_water(const Case& c);
 
 }  // namespace riffle::inline case_file

@@ -37,7 +37,7 @@ struct SnapshotRange {
 std::array<SnapshotRange, 3> snapshot_ranges(const Case& c) {
     return {{{"snapshot_x", c.output.snapshot_x, c.channel.length},
              {"snapshot_y", c.output.snapshot_y, c.channel.simulated_width()},
-             {"snapshot_z", c.output.snapshot_z, wave_height(c)}}};
+             {"snapshot_z", c.output.snapshot_z, highest_water(c)}}};
 }
 
 Findings unknown_fields(const Case& c) {
@@ -114,7 +114,7 @@ CheckList run_refusals() {
 const CheckList& start_of_run_refusals() {
     static const CheckList list{{
         {{"run.until"},
-         "`until = \"converged\"` in a case without a column twin or open ends, at the start of a run",
+         "`until = \"converged\"` in a case without a column or a section twin and without open ends, at the start of a run",
          "",
          "or give a time, until = \"10 s\"",
          [](const Case& c) {
@@ -155,7 +155,7 @@ CheckList output_refusals() {
         {{"output.snapshot_x", "output.snapshot_y", "output.snapshot_z"},
          "`snapshot_x`, `snapshot_y` or `snapshot_z` where no water is",
          "",
-         "give a part of the length, of the simulated width, or of one and a half depths",
+         "give a part of the length, of the simulated width, or of the height that water may reach",
          dry_ranges},
     }};
 }

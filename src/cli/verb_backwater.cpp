@@ -196,6 +196,17 @@ void choose_length(const BackwaterArguments& a, Backwater& b, ChannelControls& c
 ChannelControls controls_between_ends(const BackwaterArguments& a, const Case& c, const EndInput& ends,
                                       Backwater& b) {
     ChannelControls controls = controls_at_ends(c, ends, b.channel);
+    // With another discharge, slope or friction the flow has another normal depth than the case.
+    const bool is_other = a.slope || !a.discharge.empty() || is_given(friction_of(a));
+    if (is_other && c.outflow.kind == OutflowKind::normal_depth && a.downstream.empty()) {
+        const std::optional<double> normal = normal_depth(b.channel);
+        if (!normal) {
+            throw InputError(
+                "the outflow of the case holds the normal depth ([outflow] kind), and a bed that does not fall has "
+                "none: give --downstream");
+        }
+        controls.downstream_depth = std::max(critical_depth(b.channel), *normal);
+    }
     if (!a.length.empty()) controls.length = quantity_argument("--length", a.length, Dimension::length);
     if (!a.downstream.empty()) {
         controls.downstream_depth = control("--downstream", a.downstream, c, b.channel);

@@ -270,6 +270,8 @@ SectionResult start_section(const Case& c, SectionStart start, const SectionOpti
                                        : column.total_mean_velocity * (1.0 + power);
             u = from_profile(grid, [&](double z) { return largest * std::pow(z / depth, power); });
         }
+        // The balance has the discharge of an area, these are velocities of the water.
+        for (Eigen::Index i = 0; i < u.size(); ++i) u(i) *= balance.porosity(i);
     }
     return section_result(c, grid, balance, u);
 }

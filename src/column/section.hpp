@@ -19,16 +19,20 @@ struct SectionResult {
     std::vector<double> mixing_length;         ///< l_x, m
     std::vector<double> shear_stress;          ///< tau_xz, Pa
     std::vector<double> lateral_shear_stress;  ///< tau_xy, Pa
+    std::vector<double> porosity;              ///< empty without porous zones
     double bulk_velocity = 0.0;                ///< mean over the whole section from the bed level
     double depth_mean_velocity = 0.0;          ///< mean over the section above the datum
     double centreline_velocity = 0.0;          ///< mean over the depth above the datum, at the centreline
     double maximum_velocity = 0.0;
-    double wall_layer_velocity = 0.0;    ///< mean over the walls' layers; without their drag 0
-    double discharge = 0.0;              ///< of the whole width above the bed level, m3/s
-    double momentum_coefficient = 1.0;   ///< beta, mean of U^2 over the square of the mean
-    double energy_coefficient = 1.0;     ///< alpha, mean of U^3 over the cube of the mean
-    double drag_share = 0.0;             ///< force on the bed / weight component
-    double side_wall_share = 0.0;        ///< force on both side walls / weight component
+    double wall_layer_velocity = 0.0;   ///< mean over the walls' layers; without their drag 0
+    double discharge = 0.0;             ///< of the whole width above the bed level, m3/s
+    double momentum_coefficient = 1.0;  ///< beta, mean of U^2 over the square of the mean
+    double energy_coefficient = 1.0;    ///< alpha, mean of U^3 over the cube of the mean
+    double drag_share = 0.0;            ///< force on the bed / weight component
+    double side_wall_share = 0.0;       ///< force on both side walls / weight component
+    /// Of both, the friction of a bed and side walls at which the water rests: what the particles book as
+    /// that of walls, / weight component.
+    double wall_share = 0.0;
     double vegetation_share = 0.0;       ///< force on the vegetation / weight component
     double porous_share = 0.0;           ///< resistance of porous layers / weight component
     double bed_stress = 0.0;             ///< force on the bed per plan area, Pa
@@ -42,7 +46,8 @@ struct SectionResult {
     /// U at a point: bilinear between the centres, constant beyond the outermost.
     [[nodiscard]] double velocity_at(double across, double height) const;
 
-    /// Mean over the depth above `datum` at each y, m/s. Cells that the datum cuts count in part.
+    /// Mean of the water over the depth above `datum` at each y, m/s. Cells that the datum cuts count in
+    /// part, those in porous zones as their water does.
     [[nodiscard]] std::vector<double> depth_means(double datum, double total_depth) const;
 };
 

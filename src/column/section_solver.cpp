@@ -2,9 +2,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 
 #include "base/error.hpp"
 #include "base/interpolation.hpp"
+#include "case/bed_traits.hpp"
 #include "roughness/side_wall_partition.hpp"
 
 namespace riffle::inline column {
@@ -43,16 +45,21 @@ double SectionResult::velocity_at(double across, double height) const {
 
 std::vector<double> SectionResult::depth_means(double datum, double total_depth) const {
     std::vector<double> means(y.size(), 0.0);
+    std::vector<double> water(y.size(), 0.0);
     double bottom = 0.0;
     for (std::size_t iz = 0; iz < z.size(); ++iz) {
         // The centres stand midway between the faces.
         const double top = iz + 1 == z.size() ? total_depth : 2.0 * z[iz] - bottom;
         const double part = std::max(0.0, top - std::max(bottom, datum));
         for (std::size_t iy = 0; iy < y.size(); ++iy) {
-            means[iy] += velocity[iz * y.size() + iy] * part / (total_depth - datum);
+            const std::size_t cell = iz * y.size() + iy;
+            const double share = porosity.empty() ? part : part * porosity[cell];
+            means[iy] += velocity[cell] * share;
+            water[iy] += share;
         }
         bottom = top;
     }
+    std::transform(means.begin(), means.end(), water.begin(), means.begin(), std::divides<>());
     return means;
 }
 
@@ -82,6 +89,7 @@ SectionResult section_result(const Case& c, const SectionGrid& grid, const Secti
             const std::size_t cell = grid.cell(iy, iz);
             const auto i = static_cast<Eigen::Index>(cell);
             r.velocity.push_back(u(i) / balance.porosity(i));
+            if (!c.porous.empty()) r.porosity.push_back(balance.porosity(i));
             r.mixing_length.push_back(balance.mixing_length(iy, iz));
             r.shear_stress.push_back(density * stresses.vertical[cell]);
             r.lateral_shear_stress.push_back((mirrored ? -density : density) * stresses.lateral[cell]);
@@ -129,6 +137,7 @@ SectionResult section_result(const Case& c, const SectionGrid& grid, const Secti
     const double wall = balance.wall_force(u);
     r.drag_share = bed / balance.weight();
     r.side_wall_share = wall / balance.weight();
+    r.wall_share = is_no_slip(c.bed) ? r.drag_share + r.side_wall_share : 0.0;
     r.vegetation_share = balance.vegetation_force(u) / balance.weight();
     r.porous_share = balance.porous_force(u) / balance.weight();
     r.bed_stress = density * bed / c.channel.centreline();

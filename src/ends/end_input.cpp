@@ -317,11 +317,15 @@ std::vector<double> times_of_tables(const Case& c, const EndInput& input) {
 ChannelControls controls_at_ends(const Case& c, const EndInput& input, const SteadyChannel& channel,
                                  double time) {
     ChannelControls controls{.length = c.channel.length, .upstream_depth = {}, .downstream_depth = {}};
-    if (input.inflow_depth) controls.upstream_depth = input.inflow_depth->at(time) - c.datum();
+    // Depths at ends are those over what the water stands on there.
+    const EndFloors floors = end_floors(c);
+    if (input.inflow_depth) {
+        controls.upstream_depth = input.inflow_depth->at(time) + floors.upstream - c.datum();
+    }
     if (input.outflow_depth) {
         const double critical = critical_depth(channel);
-        controls.downstream_depth =
-            std::max(critical, input.outflow_depth(channel.unit_discharge, time) - c.datum());
+        const double held = input.outflow_depth(channel.unit_discharge, time) + floors.downstream;
+        controls.downstream_depth = std::max(critical, held - c.datum());
     } else if (c.outflow.kind == OutflowKind::free_fall || c.outflow.kind == OutflowKind::free) {
         // Slower water leaves at the critical depth; faster water does not hear of it.
         controls.downstream_depth = critical_depth(channel);

@@ -122,10 +122,11 @@ void write_xdmf(const std::filesystem::path& path, const std::string& results_fi
     <Grid Name="particles" GridType="Collection" CollectionType="Temporal">
 )";
     Topologies topologies(results_file_name);
-    for (std::size_t i = 0; i < snapshots.size(); ++i) {
-        if (snapshots[i].particles == 0) continue;  // readers refuse a cloud without points
-        const std::string topology = topologies.of(i + 1, snapshots[i]);
-        text += grid(results_file_name, snapshots[i], topology, *position, fields);
+    std::size_t grids = 0;
+    for (const SnapshotEntry& snapshot : snapshots) {
+        if (snapshot.particles == 0) continue;  // readers refuse a cloud without points
+        const std::string topology = topologies.of(++grids, snapshot);
+        text += grid(results_file_name, snapshot, topology, *position, fields);
     }
     text += "    </Grid>\n  </Domain>\n</Xdmf>\n";
     write_text_atomically(path, text);

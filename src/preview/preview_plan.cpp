@@ -160,7 +160,7 @@ void draw_placed(SvgSheet& sheet, const Case& c, const PreviewPlan& plan, const 
                         solid ? solid_colour(c, static_cast<std::size_t>(walls.body[i] - first_solid))
                               : std::string("#b4bcc4")));
     }
-    Particles<D> water = lattice_particles<D>(c);
+    Particles<D> water = lattice_particles<D>(c, plan.surface);
     if (starts_packed(c)) (void)pack_start(c, make_scheme(c, nullptr), water);
     for (std::size_t i = 0; i < water.position[0].size(); ++i) {
         const double x = water.position[0][i];

@@ -140,17 +140,16 @@ class UprightView {
 
     /// Height of the water at the start at a place along the channel; 0 where there is none.
     [[nodiscard]] double water_level_at(double x) const {
-        if (c_.start.water_x.empty()) return c_.total_depth();
-        const Outline water{c_.start.water_x, c_.start.water_z};
-        return contains(water, x, 1e-9) ? ceiling_above(water, x, 1e-9) : 0.0;
+        if (plan_.water.x.empty()) return c_.total_depth();
+        return contains(plan_.water, x, 1e-9) ? ceiling_above(plan_.water, x, 1e-9) : 0.0;
     }
 
     void draw_water_along(double beyond) {
         const std::string fill = fmt::format(R"(fill="{}")", water_colour);
         const std::string surface = fmt::format(R"(stroke="{}" stroke-width="1.6")", surface_colour);
         const double length = c_.channel.length;
-        if (!c_.start.water_x.empty()) {
-            polygon({c_.start.water_x, c_.start.water_z}, fill + " " + surface);
+        if (!plan_.water.x.empty()) {
+            polygon(plan_.water, fill + " " + surface);
             return;
         }
         const double depth = c_.total_depth();

@@ -7,12 +7,16 @@
 #include <cmath>
 #include <optional>
 
+#include "base/error.hpp"
 #include "boundary/wall.hpp"
+#include "case/end_buffers.hpp"
+#include "case/end_levels.hpp"
 #include "case/outline_check.hpp"
 #include "case/patch_range.hpp"
 #include "case/porous_zone.hpp"
 #include "case/solid_mesh.hpp"
 #include "case/solid_shapes.hpp"
+#include "ends/end_input.hpp"
 
 namespace riffle::inline preview {
 
@@ -30,15 +34,45 @@ std::optional<double> middle_of_first_patch(const Case& c) {
     return std::nullopt;
 }
 
+/// Where the start is the steady varied flow between open ends its surface; a start without such a flow is
+/// drawn level, and refused by the run.
+std::function<double(double)> varied_surface(const Case& c) {
+    if (c.channel.ends != Ends::open || c.start.kind != StartKind::backwater || !c.start.water_x.empty()) {
+        return {};
+    }
+    try {
+        return start_depths(c, read_end_levels(c));
+    } catch (const Error&) {
+        return {};
+    }
+}
+
+/// What lies under a surface along the channel, and as high beyond its open ends.
+Outline water_under(const Case& c, const std::function<double(double)>& surface) {
+    constexpr int parts = 200;
+    const double beyond = buffer_length(c);
+    Outline water{{c.channel.length + beyond, -beyond, -beyond}, {0.0, 0.0, surface(0.0)}};
+    for (int i = 0; i <= parts; ++i) {
+        water.x.push_back(c.channel.length * i / parts);
+        water.z.push_back(surface(water.x.back()));
+    }
+    water.x.push_back(c.channel.length + beyond);
+    water.z.push_back(water.z.back());
+    return water;
+}
+
 }  // namespace
 
 PreviewPlan plan_preview(const Case& c) {
     PreviewPlan plan;
+    plan.surface = varied_surface(c);
+    plan.water = plan.surface ? water_under(c, plan.surface) : Outline{c.start.water_x, c.start.water_z};
     const double spacing = c.numerics.spacing;
     plan.unit = SheetUnit::of(c.channel.length);
     double top = c.total_depth();
-    for (const double z : c.start.water_z) top = std::max(top, z);
+    for (const double z : plan.water.z) top = std::max(top, z);
     if (c.channel.ends == Ends::walls) top = std::max(top, c.channel.wall_height.value_or(0.0));
+    if (c.channel.ends == Ends::open) top = std::max(top, highest_end_level(c));
     const double water = top;
     const bool space = c.channel.dimensions == 3;
     plan.y = c.channel.dimensions == 3 ? std::min(c.channel.centreline(), c.channel.simulated_width()) : 0.0;

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <functional>
 #include <optional>
 #include <string>
 #include <vector>
@@ -18,6 +19,10 @@ struct PreviewPlan {
     double top = 0.0;       ///< of what is shown, m
     double below = 0.0;     ///< so far below the bed it is shown, m
     double beside = 0.0;    ///< and beyond the ends and sides, m
+    /// Outline of the water at the start along the channel, where it is not as deep everywhere; else empty.
+    Outline water = {};
+    std::function<double(double x)> surface =
+        {};  ///< m over the bed level, where no key gives it; else empty
 };
 [[nodiscard]] PreviewPlan plan_preview(const Case& c);
 

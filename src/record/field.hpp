@@ -60,6 +60,8 @@ enum Condition : unsigned {
     with_free_bodies = 1U << 22U,
     density_relaxation = 1U << 23U,  ///< numerics.density_relaxation
     level_surface = 1U << 24U,       ///< where the surface is as high all along the channel
+    with_periodic_ends = 1U << 25U,  ///< channel.ends
+    relaxation_known = 1U << 26U,    ///< where a twin or the ends tell the relaxation time
 };
 
 /// Who reads a field.

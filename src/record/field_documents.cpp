@@ -45,6 +45,8 @@ constexpr ConditionWords condition_words[] = {
     {with_local_depth, "local_depth", "where mixing lengths follow the local depth"},
     {slow_correction, "slow_correction", "with `numerics.pressure_correction_time` above 0"},
     {level_surface, "level_surface", "where the surface is as high all along the channel"},
+    {with_periodic_ends, "periodic_ends", "with periodic ends"},
+    {relaxation_known, "relaxation", "where a twin or the ends tell it"},
     {density_relaxation, "density_relaxation", "with `numerics.density_relaxation` above 0"},
 };
 

@@ -198,7 +198,7 @@ struct ProfileFields {
                 &Profiles::viscous_stress);
     ProfileField pair_stress =
         profile("pair_stress", "Pa", "shear stress carried by pressure forces at the upper edge",
-                &Profiles::pair_stress);
+                &Profiles::pair_stress, {.written = with_periodic_ends});
     ProfileField reynolds_stress = profile(
         "reynolds_stress", "Pa", "resolved Reynolds stress at the upper edge", &Profiles::reynolds_stress);
     ProfileField total_stress = profile("total_stress", "Pa", "total shear stress at the upper edge",
@@ -206,7 +206,8 @@ struct ProfileFields {
     ProfileField analytic_stress =
         profile("analytic_stress", "Pa", "shear stress of the momentum balance at the upper edge",
                 &Profiles::analytic_stress,
-                {.note = "rho g S0 (H - z) less the drag below the crest; between side walls the section's, "
+                {.written = with_periodic_ends,
+                 .note = "rho g S0 (H - z) less the drag below the crest; between side walls the section's, "
                          "its mean across the channel; none there without a section twin"});
     ProfileField velocity_rms =
         profile("velocity_rms", "m/s", "rms fluctuation of u", &Profiles::velocity_rms);

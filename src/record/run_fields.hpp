@@ -51,7 +51,7 @@ consteval Field outcome(const char* name, Wording unit, Wording meaning, const F
 consteval Field departure(const char* name, Wording meaning) {
     return outcome(name, "1", meaning, {.written = with_profiles | column_twin});
 }
-constexpr unsigned stress_known = with_profiles | on_a_slope;
+constexpr unsigned stress_known = with_profiles | on_a_slope | with_periodic_ends;
 struct Summary {
     Field converged = outcome("converged", "1", "1: converged, 0: not");
     Field window_start = outcome("window_start", "s", "start of the averaging window");
@@ -74,6 +74,11 @@ struct Summary {
     Field velocity_fluctuation_growth_least =
         outcome("velocity_fluctuation_growth_least", "1", "lower end of its 95 % interval",
                 {.reader = Reader::users});
+    Field relaxation_time =
+        outcome("relaxation_time", "s",
+                "relaxation time that the run is tested by, of the twin, or of what passes "
+                "between open ends",
+                {.written = relaxation_known});
     Field total_mean_velocity = outcome("total_mean_velocity", "m/s", "mass mean over all water");
     Field drag_over_gravity = outcome("drag_over_gravity", "1", "bed drag over the weight component");
     Field wall_over_gravity = outcome("wall_over_gravity", "1", "wall force over the weight component");
@@ -127,8 +132,10 @@ struct Summary {
                                      {.written = stress_known});
     Field friction_velocity = outcome(
         "friction_velocity", "m/s", "sqrt(stress at the crest / rho), from the line of total stress above it",
-        {.written = stress_known | where_fitted,
-         .note = "without solids and vegetation; between side walls of the mean over the width"});
+        {.written = with_profiles | on_a_slope | where_fitted,
+         .note =
+             "without solids and vegetation; between side walls of the mean over the width; between open ends "
+             "from the force of the bed"});
     Field log_law_friction_velocity =
         outcome("log_law_friction_velocity", "m/s", "friction velocity of the rough log law fitted to u",
                 {.written = with_profiles | where_fitted});

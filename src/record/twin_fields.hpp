@@ -60,7 +60,8 @@ struct ColumnNumbers {
     Field chezy = column_number("chezy", "m^(1/2)/s", "Chezy's C", {.reader = Reader::users});
     Field reynolds = column_number("reynolds", "1", "Reynolds number", {.reader = Reader::users});
     Field froude = column_number("froude", "1", "Froude number", {.reader = Reader::users});
-    Field relaxation_time = column_number("relaxation_time", "s", "relaxation time of the flow");
+    Field relaxation_time =
+        column_number("relaxation_time", "s", "relaxation time of the flow", {.reader = Reader::users});
 };
 inline constexpr ColumnNumbers column_numbers;
 
@@ -95,6 +96,9 @@ struct SectionNumbers {
     Field drag_share = section_number("drag_share", "1", "bed drag over the weight component");
     Field side_wall_share =
         section_number("side_wall_share", "1", "drag of the side walls over the weight component");
+    Field wall_share =
+        section_number("wall_share", "1",
+                       "friction of bed and side walls at which the water rests over the weight component");
     Field vegetation_share =
         section_number("vegetation_share", "1", "drag of the vegetation over the weight component",
                        {.written = with_vegetation});

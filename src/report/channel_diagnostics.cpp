@@ -90,13 +90,14 @@ class ChannelRows : public DiagnosticRows {
     }
 
     void start_up() {
-        const auto relaxation = find_value(data_.column, fields::column_numbers.relaxation_time);
-        if (!relaxation || *relaxation <= 0 || data_.window_end <= data_.window_start) return;
+        const auto relaxation = value(fields::summary.relaxation_time);
+        if (!relaxation || data_.window_end <= data_.window_start) return;
         const double times = data_.window_start / *relaxation;
         add({"start_up", "Time before averaging", fmt::format("{:.1f} relaxation times", times), "at least 3",
-             fmt::format("Departures from the steady flow die out with an e-folding time of {:.2f} s. "
-                         "Averages taken too early still carry the start.",
-                         *relaxation),
+             fmt::format(
+                 "Departures from the steady flow {} {:.2f} s. Averages taken too early still carry the "
+                 "start.",
+                 open_ ? "leave through the ends in some" : "die out with an e-folding time of", *relaxation),
              times >= 3   ? Health::good
              : times >= 1 ? Health::caution
                           : Health::bad});

@@ -245,7 +245,7 @@ void add_forces(Table& table, const ReportData& data) {
                {},
                of_twin(section.drag_share, column.drag_share)});
     if (const auto side = find_value(data.summary, fields::summary.side_wall_over_gravity);
-        side && data.flow.has_side_walls()) {
+        side && data.flow.has_side_wall_drag()) {
         table.add(
             row_of("side_wall_over_gravity", "Drag of the side walls / weight component", "", "1"),
             {plain(side), {}, plain(find_value(data.section, fields::section_numbers.side_wall_share))});
@@ -260,12 +260,13 @@ void add_forces(Table& table, const ReportData& data) {
     }
     // A bed that acts by its elements alone has no wall friction to report.
     const auto wall = find_value(data.summary, fields::summary.wall_over_gravity);
-    auto column_wall = find_value(data.column, fields::column_numbers.wall_share);
+    auto twin_wall = data.flow.has_side_walls() ? find_value(data.section, section.wall_share)
+                                                : find_value(data.column, column.wall_share);
     // That of the column is the bed's alone, the particles' that of the wall above as well.
-    if (column_wall && data.flow.channel.top == Top::wall) *column_wall *= 2.0;
-    if (wall.value_or(0.0) == 0.0 && column_wall.value_or(0.0) == 0.0) return;
+    if (twin_wall && data.flow.channel.top == Top::wall) *twin_wall *= 2.0;
+    if (wall.value_or(0.0) == 0.0 && twin_wall.value_or(0.0) == 0.0) return;
     table.add(row_of("wall_over_gravity", "Wall friction / weight component", "", "1", 1, 3),
-              {plain(wall), {}, plain(column_wall)});
+              {plain(wall), {}, plain(twin_wall)});
 }
 
 void add_forces_on_bodies(Table& table, const ReportData& data, const Analysis& analysis) {

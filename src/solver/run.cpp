@@ -51,7 +51,9 @@ RunOutcome in_dimensions(const Case& c, const F& f) {
 }  // namespace
 
 void check_runnable(const Case& c) {
-    refuse_to_run(c);
+    // Between side walls a flow may have a section twin, by whose relaxation time it is tested, and no
+    // column.
+    if (c.run.until != RunUntil::converged || !has_section(c)) refuse_to_run(c);
     const auto column = has_column(c) ? std::optional(solve_column(c)) : std::nullopt;
     (void)ProbeSet(c, largest_step(c, make_scheme(c, column ? &*column : nullptr)));
 }

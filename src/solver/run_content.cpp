@@ -71,8 +71,11 @@ void add_section(Content& content, const SectionResult& section, const Case& c) 
     number(numbers.maximum_velocity, section.maximum_velocity);
     number(numbers.wall_layer_velocity, section.wall_layer_velocity);
     number(numbers.discharge, section.discharge);
-    number(numbers.drag_share, section.drag_share);
-    number(numbers.side_wall_share, section.side_wall_share);
+    // As the particles book them: what rests at the bed and the side walls as the friction of walls.
+    const bool at_rest = section.wall_share > 0.0;
+    number(numbers.drag_share, at_rest ? 0.0 : section.drag_share);
+    number(numbers.side_wall_share, at_rest ? 0.0 : section.side_wall_share);
+    number(numbers.wall_share, section.wall_share);
     if (!c.vegetation.empty()) number(numbers.vegetation_share, section.vegetation_share);
     if (!c.porous.empty()) number(numbers.porous_share, section.porous_share);
     number(numbers.bed_stress, section.bed_stress);

@@ -228,6 +228,9 @@ Numbers summarise(const Case& c, const Twins& twins, const TimeSeries& series, c
     summary.set(fields::summary.converged, convergence.converged ? 1.0 : 0.0);
     summary.set(fields::summary.window_start, from);
     summary.set(fields::summary.window_end, to);
+    if (const auto relaxation = tested_relaxation_time(c, twins)) {
+        summary.set(fields::summary.relaxation_time, *relaxation);
+    }
     const auto first =
         static_cast<std::size_t>(std::lower_bound(time.begin(), time.end(), from) - time.begin());
     const auto estimate = mean_with_confidence(

@@ -45,7 +45,7 @@ const std::vector<TwinName>& twin_names() {
         {of.log_law_friction_velocity, column.log_law_friction_velocity, std::nullopt},
         {of.equivalent_roughness, column.equivalent_roughness, std::nullopt},
         {of.drag_over_gravity, column.drag_share, section.drag_share},
-        {of.wall_over_gravity, column.wall_share, std::nullopt},
+        {of.wall_over_gravity, column.wall_share, section.wall_share},
         {of.side_wall_over_gravity, std::nullopt, section.side_wall_share},
         {of.vegetation_over_gravity, column.vegetation_share, section.vegetation_share},
         {of.porous_over_gravity, column.porous_share, section.porous_share},

@@ -45,8 +45,7 @@ Progress read_progress(const RunResults& results, const ReportData& data) {
     p.convergence = results.text(of.convergence);
     p.tolerance = c.run.tolerance;
     p.checkpoint_interval = c.output.checkpoint_interval;
-    const auto relaxation = find_value(data.column, fields::column_numbers.relaxation_time);
-    if (relaxation && *relaxation > 0) p.relaxation_time = relaxation;
+    p.relaxation_time = find_value(data.summary, of.relaxation_time);
     if (p.until_converged && p.relaxation_time) {
         const double start =
             c.run.average_from.value_or((fewest_relaxation_times - 1.0) * *p.relaxation_time);

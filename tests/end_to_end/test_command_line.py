@@ -286,6 +286,23 @@ class CommandLine(CommandLineTest):
         self.assertAlmostEqual(held["stations"]["depth"][-1], 0.075)
         self.assertEqual(held["stations"]["x"][-1], 1.0)
 
+    def test_backwater_of_another_flow_ends_at_its_own_normal_depth(self):
+        """`[outflow] kind = "normal-depth"`, the default, holds that of the slope, the discharge and the friction that are asked for."""
+        uniform = CASE.parents[1] / "open-ends/uniform.toml"
+        for options in (["--slope", "0.008"], ["--discharge", "40l/s"], ["--manning", "0.03"]):
+            told = json.loads(self.succeed("backwater", uniform, *options, "--json", "-").stdout)
+            self.assertEqual([profile["name"] for profile in told["profiles"]], ["uniform"], options)
+            self.assertAlmostEqual(told["stations"]["depth"][-1], told["normal_depth"], places=9, msg=str(options))
+        self.fail_with(2, "backwater", uniform, "--slope", "0", "--discharge", "0.0174 m2/s", says=["normal depth", "--downstream"])
+
+    def test_backwater_counts_depths_at_the_ends_from_what_the_water_stands_on(self):
+        sill = self.folder / "sill.toml"
+        sill.write_text((CASE.parents[1] / "open-ends/backwater-m1.toml").read_text() +
+                        '\n[[solid]]\nname = "sill"\nx = ["1 m", "3 m", "3 m", "1 m"]\nz = ["0 mm", "0 mm", "20 mm", "20 mm"]\n')
+        held = json.loads(self.succeed("check", sill, "--set", "start.kind=uniform", "--json").stdout)["ends"]["outflow"]["depth"][0]
+        told = json.loads(self.succeed("backwater", sill, "--set", "start.kind=uniform", "--json", "-").stdout)
+        self.assertAlmostEqual(told["stations"]["depth"][-1], held, places=9)
+
     def test_backwater_says_what_takes_no_part(self):
         weir = CASE.parents[1] / "open-ends/broad-crested-weir.toml"
         told = " ".join(self.succeed("backwater", weir, "--manning", "0.012", "--downstream", "120mm").stdout.split())

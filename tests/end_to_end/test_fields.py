@@ -26,9 +26,9 @@ porosity = 0.4
 grain_size = "5 mm"
 z_to = "25 mm"
 '''
-CONDUIT = {"three_dimensions", "free_surface", "column_twin", "section_twin", "closure", "spheres", "asked", "end", "profiles", "slope"}
+CONDUIT = {"three_dimensions", "free_surface", "column_twin", "section_twin", "closure", "spheres", "asked", "end", "profiles", "slope", "periodic_ends"}
 # What hangs on the numbers of the run; it may be written, and may not.
-MAYBE = {"samples", "fitted", "level_surface"}
+MAYBE = {"samples", "fitted", "level_surface", "relaxation"}
 # Read, but not of runs as short and as calm as these; the tests of the analysis and of sweeps read them.
 ELSEWHERE = {
     ("/", "failure"): "a sweep, of runs that failed",
@@ -38,6 +38,7 @@ ELSEWHERE = {
     ("/section", "bulk_velocity"): "a sweep in three dimensions, as the twin of an outcome",
     ("/summary", "secondary_velocity"): "a sweep in three dimensions",
     ("/summary", "lost_share"): "the diagnostics, where water was lost",
+    ("/profiles", "velocity_half_width"): "the velocity profile, from ten independent samples on",
     ("/profiles", "spanwise_velocity_rms"): "the turbulence of channels without side walls",
     ("/mean_field", "pressure"): "the maps of channels with bodies",
     ("/time_series", "front_upstream"): "the front of water that moves against x",
@@ -66,7 +67,7 @@ class Fields(CommandLineTest):
         # By run: its command, and the conditions of the table that it meets.
         runs = {
             "plane": ([plane, *SMALL, *until(0.7), *snapshots],
-                      {"free_surface", "column_twin", "no_section_twin", "closure", "asked", "end", "profiles", "slope"}),
+                      {"free_surface", "column_twin", "no_section_twin", "closure", "asked", "end", "profiles", "slope", "periodic_ends"}),
             "space": ([space, *until(0.5), *snapshots, "--set", "channel.sides=half", "--set", 'channel.width="86.6 mm"',
                        "--set", "start.kind=section"], CONDUIT | {"vegetation"}),
             "bed": ([bed, *until(0.5), *snapshots, "--set", "channel.sides=half", "--set", 'channel.width="86.6 mm"'], CONDUIT | {"porous"}),

@@ -635,6 +635,18 @@ TEST(Refusals, StemsMayStandOnASolid) {
                 HasSubstr("reeds: up to the tops of its stems it stands in the solid \"terrace\""));
 }
 
+// Water may stand higher than the depth of the case: at open ends, behind walls, in an outline of its own.
+TEST(Refusals, InstrumentsMayStandWhereTheCaseHasWater) {
+    const std::string probe =
+        "probe[0].name = p; probe[0].kind = velocity; probe[0].sampling_frequency = 10; probe[0].x = 0.1; probe[0].z = 0.1; ";
+    EXPECT_THAT(refusal_of(with_keys(flume(), probe)), HasSubstr("outside of the water"));
+    const std::string deep =
+        "outflow.kind = depth; outflow.depth = 120 mm; output.snapshot_z = [0.08, 0.12]; ";
+    EXPECT_EQ(refusal_of(with_keys(open_channel(), deep + probe)), "");
+    const std::string tall = "channel.ends = walls; start.kind = rest; channel.wall_height = 400 mm; ";
+    EXPECT_EQ(refusal_of(with_keys(flume(), tall + probe)), "");
+}
+
 TEST(Refusals, RunsUntilConvergedNeedASteadyFlow) {
     for (const CaseCheck& check : start_of_run_refusals().checks) {
         const Case c = with_keys(flume(), "channel.ends = walls; start.kind = rest");

@@ -115,6 +115,11 @@ TEST(PorousSection, IsTheColumnWhereNothingVariesAcross) {
     const SectionResult section = solve_section(c);
     EXPECT_NEAR(section.bulk_velocity, column.total_mean_velocity, 5e-3 * column.total_mean_velocity);
     EXPECT_NEAR(section.porous_share, 1.0, 1e-6);
+    EXPECT_NEAR(section.centreline_velocity, section.bulk_velocity, 1e-6 * section.bulk_velocity);
+    // And so is what starts with the column's profile, from the first moment on.
+    const SectionResult start = start_section(c, SectionStart::column);
+    EXPECT_NEAR(start.bulk_velocity, section.bulk_velocity, 5e-3 * section.bulk_velocity);
+    EXPECT_NEAR(start.centreline_velocity, section.bulk_velocity, 5e-3 * section.bulk_velocity);
 }
 
 TEST(PorousSection, PassesMoreWaterBesideThanWithinABank) {

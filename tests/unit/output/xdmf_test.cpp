@@ -82,6 +82,15 @@ TEST(Xdmf, NamesTheDatasetsOfEachSnapshot) {
     EXPECT_THAT(text, HasSubstr("Dimensions=\"3 3\""));
 }
 
+// Where there was no water at first a topology is that of the first grid, not of the first snapshot.
+TEST(Xdmf, CountsTheGridsThatAreThere) {
+    const TemporaryFolder folder;
+    write_xdmf(folder / "a.xdmf", "a.h5", {{0, 0.0, 0}, {1, 0.1, 0}, {2, 0.2, 3}, {3, 0.3, 3}}, fields);
+    const std::string text = test::bytes_of(folder / "a.xdmf");
+    EXPECT_THAT(text, HasSubstr("/Xdmf/Domain/Grid/Grid[1]/Topology"));
+    EXPECT_THAT(text, ::testing::Not(HasSubstr("Grid[3]/Topology")));
+}
+
 TEST(Xdmf, RefusesFieldsThatMakeNoPoints) {
     const TemporaryFolder folder;
     EXPECT_THROW(write_xdmf(folder / "a", "r.h5", {}, {{"pressure", 1}}), std::invalid_argument);
