@@ -150,17 +150,18 @@ class UprightView {
         const double length = c_.channel.length;
         if (!plan_.water.x.empty()) {
             polygon(plan_.water, fill + " " + surface);
-            return;
-        }
-        const double depth = c_.total_depth();
-        rectangle(-beyond, length + beyond, 0.0, depth, fill);
-        if (c_.channel.top == Top::free_surface) {
-            line(-beyond, depth, length + beyond, depth, surface);
-            level_mark(0.82 * length, depth);
+        } else {
+            const double depth = c_.total_depth();
+            rectangle(-beyond, length + beyond, 0.0, depth, fill);
+            if (c_.channel.top == Top::free_surface) {
+                line(-beyond, depth, length + beyond, depth, surface);
+                level_mark(0.82 * length, depth);
+            }
         }
         if (beyond > 0.0) {
             for (const double u : {-beyond, length}) {
-                rectangle(u, u + beyond, 0.0, depth, R"(fill="#0072b2" fill-opacity="0.18")");
+                rectangle(u, u + beyond, 0.0, water_level_at(std::max(u, 0.0)),
+                          R"(fill="#0072b2" fill-opacity="0.18")");
             }
         }
     }
