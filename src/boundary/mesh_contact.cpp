@@ -59,10 +59,11 @@ Vec<3> MeshContact::in_body(std::size_t solid, const BodyState& state, Vec<3> po
         return state.place_at_start(position);
     }
     const Point3& lower = (*meshes_)[solid].lower();
+    const Point3& upper = (*meshes_)[solid].upper();
     for (std::size_t k = 0; k < 3; ++k) {
         position[k] -= state.displacement[k];
-        if (period_[k] > 0.0 && state.displacement[k] != 0.0) {
-            position[k] -= period_[k] * std::floor((position[k] - lower[k]) / period_[k]);
+        if (state.displacement[k] != 0.0) {
+            position[k] = image_near(0.5 * (lower[k] + upper[k]), position[k], period_[k]);
         }
     }
     return position;

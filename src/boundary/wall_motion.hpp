@@ -38,6 +38,20 @@ template <int D>
     }
 }
 
+/// A place as it lies beside a body that turns: in a channel that repeats, the image nearest to the middle of
+/// its turning, as turning it about that needs; beside others as it is.
+template <int D>
+[[nodiscard]] Vec<3> place_beside(const Domain<D>& domain, const BodyState& body, Vec<D> place) {
+    if (body.turns) {
+        const Vec<D> centre = in_flow<D>(body.centre);
+        const Vec<D> moved = in_flow<D>(body.displacement);
+        for (std::size_t k = 0; k < place.size(); ++k) {
+            place[k] = domain.image_near(centre[k] + moved[k], place[k], k);
+        }
+    }
+    return in_space_of<D>(place);
+}
+
 /// The motion of the walls and solids of a case: of free bodies as far as the case prescribes it, their
 /// start.
 class WallMotion {

@@ -243,9 +243,9 @@ void SectionBalance::add_porous(const Case& c, const SectionGrid& grid) {
             change(lateral_faces_[k++], grid.y_face[iy + 1], grid.z[iz]);
         }
     }
-    for (double& squared : bed_length_squared_) {
-        const double at_bed = porous.limited(std::sqrt(squared), 0.0, grid.y.front(), 0.0);
-        squared = at_bed * at_bed;
+    for (std::size_t iy = 0; iy < columns_; ++iy) {
+        const double at_bed = porous.limited(std::sqrt(bed_length_squared_[iy]), 0.0, grid.y[iy], 0.0);
+        bed_length_squared_[iy] = at_bed * at_bed;
     }
 }
 
@@ -284,7 +284,8 @@ SectionBalance::FaceFlow SectionBalance::bed_flow(std::size_t iy, const Eigen::V
     const double gradient = u(static_cast<Eigen::Index>(iy)) / bed_distance_;
     const double factor = bed_length_squared_[iy] * cell_factor_[iy] * cell_factor_[iy];
     const double rate = std::abs(gradient);
-    return {(viscosity_ + factor * rate) * gradient, viscosity_ + 2.0 * factor * rate, 0.0};
+    const double ratio = media_.empty() ? 1.0 : media_[iy].viscosity_ratio;
+    return {ratio * (viscosity_ + factor * rate) * gradient, ratio * (viscosity_ + 2.0 * factor * rate), 0.0};
 }
 
 double SectionBalance::wall_slope(std::size_t iz) const {

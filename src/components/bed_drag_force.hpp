@@ -5,6 +5,7 @@
 #include <optional>
 #include <utility>
 
+#include "case/end_buffers.hpp"
 #include "engine/component.hpp"
 #include "engine/pair_setup.hpp"
 #include "particles/lattice.hpp"
@@ -150,8 +151,9 @@ class BedDragForce final : public Component<D, Real> {
                     const double u = particles.velocity[0][i];
                     const double square = particles.mass[i] * u * std::abs(u);
                     const double y = particles.position[1][i];
+                    if (!in_channel(flow.c, particles.position[0][i])) continue;
                     part[0] += coefficient(flow, i) * square;
-                    part[1] += flow.particle_data.in_side_layer(y) ? square : 0.0;
+                    part[1] += flow.particle_data.in_side_layer(particles.position[0][i], y) ? square : 0.0;
                 }
                 return part;
             },

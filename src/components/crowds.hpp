@@ -39,6 +39,7 @@ class Crowds final : public Component<D, Real> {
     /// of the scheme: in full support all give 1.
     void sum_walls(Flow& flow) {
         walls_.assign(flow.particles.size(), 0.0);
+        if (flow.walls.size() == 0) return;  // walls that repel have no particles
         flow.for_blocks([&](Task& task, std::size_t begin, std::size_t end) {
             std::int32_t* const slots = task.sums.slots.data();
             for (std::size_t cluster = begin; cluster < end; ++cluster) {

@@ -26,7 +26,9 @@ class FreeBodies final : public Component<D, Real> {
         : contact_(flow.c, flow.free, steps_of_an_impact * longest_step(flow)),
           smoothing_(smoothing_lengths * flow.scheme.smoothing_length / flow.scheme.state.sound_speed) {
         for (const FreeBody& body : flow.free) {
-            points_.push_back(moment_point(flow.c, flow.c.solids[body.solid()]));
+            const Solid& solid = flow.c.solids[body.solid()];
+            points_.push_back(moment_point(flow.c, solid));
+            if (flow.c.channel.top == Top::wall) volumes_.push_back(solid_volume(flow.c, solid));
         }
         flow.clock.contact_springs.resize(contact_.springs());
     }
@@ -56,6 +58,7 @@ class FreeBodies final : public Component<D, Real> {
                 load.force[k] += body.mass() * weight[k] + spring[k] + touching[n].force[k];
                 load.moment[k] += touching[n].moment[k];
             }
+            if (!volumes_.empty()) add_weight_in_water(flow, n, load);
             body.advance(states[n], load, kick, stage_.motion, smoothing_);
             watch(flow, states[n], body);
             widen_bound(flow, states[n], flow.bodies_after[first_solid + solid], body.reach());
@@ -71,6 +74,18 @@ class FreeBodies final : public Component<D, Real> {
 
     static double longest_step(const Flow& flow) {
         return flow.c.numerics.time_step.value_or(flow.scheme.acoustic_step);
+    }
+
+    /// Below a wall at the top the gravity across the bed only adds a hydrostatic pressure, and the particles
+    /// feel none of it: the body has its weight, and its buoyancy at the middle of its volume.
+    void add_weight_in_water(const Flow& flow, std::size_t n, BodyLoad& load) const {
+        const double gravity = flow.c.normal_gravity();
+        const double buoyancy = flow.scheme.density * volumes_[n].volume * gravity;
+        load.force[2] += buoyancy - flow.free[n].mass() * gravity;
+        const Point3 arm = flow.bodies[first_solid + flow.free[n].solid()].turned(
+            minus(volumes_[n].centroid, flow.free[n].centre_of_mass()));
+        const Point3 moment = cross(arm, Point3{0.0, 0.0, buoyancy});
+        for (std::size_t k = 0; k < 3; ++k) load.moment[k] += moment[k];
     }
 
     /// Force of the water and its moment about the centre of mass.
@@ -137,8 +152,9 @@ class FreeBodies final : public Component<D, Real> {
     }
 
     BodyContact contact_;
-    double smoothing_;            ///< s
-    std::vector<Point3> points_;  ///< of each body, that the moments on it are about, at t = 0
+    double smoothing_;                  ///< s
+    std::vector<Point3> points_;        ///< of each body, that the moments on it are about, at t = 0
+    std::vector<SolidVolume> volumes_;  ///< of each body below a wall at the top; else empty
     Stage stage_;
 };
 

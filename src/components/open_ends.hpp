@@ -128,7 +128,14 @@ class OpenEnds final : public Component<D, Real> {
         const auto first = static_cast<std::size_t>(flow.clusters.begin[begin]);
         for_buffers(flow, begin, end, [&](std::size_t i, std::size_t lane, bool entering) {
             task.particles.drag[i - first] = 0.0;
-            if (falls_ && !entering) return;
+            if (falls_ && !entering) {
+                // No stems stand beyond the edge of the bed.
+                for (std::size_t k = 0; flow.with_vegetation && k < Flow::axes; ++k) {
+                    task.particles.acceleration[k][lane] -= task.vegetation_acceleration[k][lane];
+                    task.vegetation_acceleration[k][lane] = 0.0;
+                }
+                return;
+            }
             const Vec<D> wanted = entering ? entering_velocity(flow, i) : leaving_velocity(flow, i);
             for (std::size_t k = 0; k < Flow::axes; ++k) {
                 if (flow.with_vegetation) task.vegetation_acceleration[k][lane] = 0.0;

@@ -19,7 +19,7 @@ class Settling final : public Component<D, Real> {
 
     explicit Settling(Flow& flow)
         : time_(flow.c.start.settling_time),
-          rate_(4.0 * std::sqrt(flow.scheme.normal_gravity / flow.scheme.depth)) {
+          rate_(4.0 * std::sqrt(flow.c.normal_gravity() / flow.scheme.depth)) {
         flow.inputs.acceleration = true;
     }
 

@@ -5,6 +5,7 @@
 
 #include "base/parallel.hpp"
 #include "boundary/solid_surface.hpp"
+#include "boundary/wall_motion.hpp"
 #include "engine/flow.hpp"
 #include "engine/pair_setup.hpp"
 
@@ -44,7 +45,7 @@ class SolidFeet {
                     for (std::size_t k = 0; k < Flow::axes; ++k) {
                         position[k] = flow.fixed_point.decode(clusters.slot_position[k][slot], k);
                     }
-                    const Vec<3> place = body.place_at_start(in_space_of<D>(position));
+                    const Vec<3> place = body.place_at_start(place_beside<D>(flow.domain, body, position));
                     const auto foot = surfaces.nearest(solid, place, reach);
                     planes_[static_cast<std::size_t>(first_[cluster]) + lane] =
                         foot ? Plane{foot->place, foot->normal} : Plane{place, {}};

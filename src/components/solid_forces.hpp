@@ -9,6 +9,7 @@
 #include "boundary/solid_surface.hpp"
 #include "boundary/surface_pieces.hpp"
 #include "boundary/wall_motion.hpp"
+#include "case/end_buffers.hpp"
 #include "case/solid_motion.hpp"
 #include "case/solid_volume.hpp"
 #include "components/solid_corners.hpp"
@@ -202,9 +203,12 @@ class SolidForces final : public Component<D, Real> {
         };
         flow.for_particles(begin, end, [&](std::size_t i, std::size_t lane) {
             const Share share = share_of(begin * cluster_size + lane);
-            if (!share.any()) return;
-            // What pushes the water one way pushes the solid the other.
-            const double factor = -flow.particles.mass[i] * flow.force_factor(i);
+            // Beyond open ends a sill that carries the water through has no place in the account.
+            if (!share.any() || !in_channel(flow.c, flow.particles.position[0][i])) return;
+            // What pushes the water one way pushes the solid the other, and through grains it presses as much
+            // as in open water.
+            const double water = flow.porous.empty() ? 1.0 : flow.porous_at[i].porosity;
+            const double factor = -flow.particles.mass[i] * flow.force_factor(i) / water;
             Vec<D> pressure{};
             Vec<D> friction{};
             for (std::size_t k = 0; k < Flow::axes; ++k) {
@@ -215,7 +219,8 @@ class SolidForces final : public Component<D, Real> {
             for (std::size_t axis = 0; axis < 3; ++axis) push[axis] *= share.along[axis];
             add(sum.pressure, push);
             const std::size_t cluster = begin + lane / cluster_size;
-            const Vec<3> place = body.place_at_start(in_space_of<D>(vector_of(flow.particles.position, i)));
+            const Vec<3> place = body.place_at_start(
+                place_beside<D>(flow.domain, body, vector_of(flow.particles.position, i)));
             const Vec<3> arm =
                 body.turned(feet_[solid].arm(surfaces_, cluster, lane % cluster_size, place, points_[solid]));
             add(sum.pressure_moment, cross(arm, push));

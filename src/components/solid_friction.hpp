@@ -6,7 +6,9 @@
 #include <vector>
 
 #include "boundary/solid_distance.hpp"
+#include "boundary/wall_motion.hpp"
 #include "case/bed_friction.hpp"
+#include "case/end_buffers.hpp"
 #include "case/solid_volume.hpp"
 #include "engine/component.hpp"
 #include "engine/pass_order.hpp"
@@ -80,7 +82,7 @@ class SolidFriction final : public Component<D, Real> {
         const double share = std::clamp((layer_ - distance) / width_ + 0.5, 0.0, 1.0);
         if (share <= 0.0) return;
         const BodyState& body = flow.bodies.empty() ? rest : flow.bodies[first_solid + surface.solid];
-        const Point3 place = in_space_of<D>(position);
+        const Point3 place = place_beside<D>(flow.domain, body, position);
         Vec<D> past = vector_of(flow.particles.velocity, i);
         const Vec<D> of_surface = in_flow<D>(body.velocity_at(place));
         double square = 0.0;
@@ -98,9 +100,14 @@ class SolidFriction final : public Component<D, Real> {
             task.particles.acceleration[k][lane] += acceleration;
             force[k] = -flow.particles.mass[i] * acceleration;
         }
-        if (!loads_.empty()) {
+        if (!loads_.empty() && in_channel(flow.c, position[0])) {
             const Point3 on_solid = in_space_of<D>(force);
-            load += {on_solid, cross(minus(place, body.placed(surface.about)), on_solid)};
+            const Point3 about = body.placed(surface.about);
+            Vec<D> near = position;
+            for (std::size_t k = 0; k < Flow::axes; ++k) {
+                near[k] = flow.domain.image_near(in_flow<D>(about)[k], near[k], k);
+            }
+            load += {on_solid, cross(minus(in_space_of<D>(near), about), on_solid)};
         }
     }
 

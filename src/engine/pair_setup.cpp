@@ -206,6 +206,10 @@ ParticleData<D> particle_constants(const Case& c, const Scheme& scheme, const Do
         data.normal_weight_across = stress_weight(true, true, spanwise_ratio(c));
         if (c.has_side_wall_drag()) {
             data.layer_below = c.side_layer();
+            if (c.channel.ends == Ends::open) {
+                data.layer_from = 0.0;
+                data.layer_to = c.channel.length;
+            }
             if (c.channel.sides == Sides::walls) data.layer_above = c.channel.width - c.side_layer();
         }
     }

@@ -2,9 +2,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <limits>
 #include <numbers>
 
+#include "base/error.hpp"
 #include "boundary/wall_motion.hpp"
 #include "case/flow_kind.hpp"
 #include "case/outline_check.hpp"
@@ -57,6 +59,22 @@ EndExtremes extremes_of(const Case& c) {
                                         : EndExtremes{.depth = c.total_depth(), .velocity = 0.0};
 }
 
+/// Ten times the speed of long waves, and twenty times that of the water. Below a wall at the top there are
+/// no waves, but bodies fall as fast, and water that nothing moves needs some speed of sound as well. Throws
+/// InputError where nothing tells one.
+double usual_sound_speed(const Case& c, const Scheme& scheme, double depth) {
+    const double of_flow = 20.0 * scheme.maximum_velocity;
+    const bool bodies = std::any_of(c.solids.begin(), c.solids.end(), std::mem_fn(&Solid::is_free));
+    const double gravity = bodies || of_flow <= 0.0 ? c.normal_gravity() : scheme.normal_gravity;
+    const double speed = std::max(of_flow, 10.0 * std::sqrt(gravity * depth));
+    if (speed <= 0.0) {
+        throw InputError(
+            "nothing in the case moves its water or presses on it, so that no speed of sound follows: give "
+            "numerics.sound_speed, ten times the largest velocity that is expected or more");
+    }
+    return speed;
+}
+
 }  // namespace
 
 double Scheme::hydrostatic_deviation(double z) const { return state.deviation(normal_gravity * (depth - z)); }
@@ -76,8 +94,7 @@ Scheme make_scheme(const Case& c, const ColumnResult* column) {
     const EndExtremes ends = extremes_of(c);
     scheme.maximum_velocity = expected_velocity(c, column, ends);
     scheme.state.kind = c.numerics.equation_of_state;
-    scheme.state.sound_speed = c.numerics.sound_speed.value_or(
-        std::max(20.0 * scheme.maximum_velocity, 10.0 * std::sqrt(scheme.normal_gravity * ends.depth)));
+    scheme.state.sound_speed = c.numerics.sound_speed.value_or(usual_sound_speed(c, scheme, ends.depth));
     scheme.acoustic_step = c.numerics.courant_number * scheme.smoothing_length / scheme.state.sound_speed;
     // Explicit diffusion of momentum: of a laminar case or, over hundreds of rows, of a mixing length, with
     // twice the twin's eddy viscosity, for the water shears itself more here and there than its mean flow.

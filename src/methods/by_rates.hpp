@@ -101,7 +101,9 @@ class SteppingByRates final : public Method<D, Real> {
         if constexpr (D == 3) {
             task.particles.drag_force_across[lane] = drag(bed, 1);
             const double y = flow.particles.position[1][particle];
-            const double side = flow.particle_data.in_side_layer(y) ? flow.inputs.side_drag : 0.0;
+            const double side = flow.particle_data.in_side_layer(flow.particles.position[0][particle], y)
+                                    ? flow.inputs.side_drag
+                                    : 0.0;
             task.particles.side_force[lane] = drag(side, 0);
             task.particles.side_force_vertical[lane] = drag(side, 2);
         }

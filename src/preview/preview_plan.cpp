@@ -118,13 +118,15 @@ void draw_probes_in_plan(SvgSheet& sheet, const Case& c, const SheetView& view) 
             }
             continue;
         }
-        for (std::size_t i = 0; i < probe.x.size(); ++i) {
+        // A single place along the channel, or across it, is that of all points.
+        for (std::size_t i = 0; !probe.x.empty() && i < std::max(probe.x.size(), probe.y.size()); ++i) {
+            const double x = probe.x[std::min(i, probe.x.size() - 1)];
             const double y = probe.y.empty() ? std::min(c.channel.centreline(), c.channel.simulated_width())
                                              : probe.y[std::min(i, probe.y.size() - 1)];
-            sheet.circle(view.x(probe.x[i]), view.y(y), 3.6,
+            sheet.circle(view.x(x), view.y(y), 3.6,
                          fmt::format(R"(fill="{}" stroke="#fff" stroke-width="0.8")", probe_colour));
             if (i == 0) {
-                sheet.text(view.x(probe.x[i]) + 7.0, view.y(y) - 5.0, std::to_string(k + 1),
+                sheet.text(view.x(x) + 7.0, view.y(y) - 5.0, std::to_string(k + 1),
                            fmt::format(R"(class="halo" fill="{}" font-size="11")", probe_colour));
             }
         }

@@ -57,6 +57,7 @@ void SimulationOf<D, Real>::take_step(double fields_due) {
     // As the recorder will see the time: the same sum.
     flow_.keep_fields = clock.time + dt >= fields_due;
     if (flow_.keep_fields) flow_.fields.template reset<Real>(flow_.particles.size(), D, flow_.scheme.density);
+    walls_.bring_to_clock(flow_);
     for (const auto& component : components_) component->begin_step(flow_, dt);
     const double begin = clock.time;
     for (const Stage& stage : method_->begin(flow_, dt)) {

@@ -344,14 +344,13 @@ std::unique_ptr<SimulationIn<D>> simulation_from_results(const Case& c, const Co
     perturb_velocity(c, particles);
     const std::vector<FreeBodyState> bodies = bodies_from_results(c, other, results, file_name);
     refuse_water_in_new_solids(c, other, particles, file_name);
-    // The walls stand where the bodies are before the water is looked at.
-    if (bodies.empty()) return make_simulation<D>(c, column, std::move(particles));
-    Case still = c;
-    still.start.kind = StartKind::rest;
-    auto simulation = make_simulation<D>(c, column, initial_particles<D>(still, scheme, column, {}, false));
+    auto simulation = make_simulation<D>(c, column, std::move(particles));
+    if (bodies.empty()) return simulation;
+    // The bodies stand where they were; the water keeps what the components have found of it.
     SimulationClock clock = simulation->clock();
     clock.free_bodies = clock.listed_free_bodies = bodies;
-    simulation->restore(std::move(particles), clock, std::vector<double>(simulation->walls().size()));
+    simulation->restore(Particles<D>(simulation->particles()), clock,
+                        std::vector<double>(simulation->walls().size()));
     return simulation;
 }
 

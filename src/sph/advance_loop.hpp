@@ -29,17 +29,17 @@ RIFFLE_INLINE Doubles drag_step(const Doubles& beta, double dt, Doubles& u) {
     return drag;
 }
 
-/// The drags of bed and side walls on a cluster in three dimensions, whose particles stand at y; `bed` is the
-/// coefficient of the former.
+/// The drags of bed and side walls on a cluster in three dimensions, whose particles stand at x and y; `bed`
+/// is the coefficient of the former.
 template <class Real>
 RIFFLE_INLINE void drag_in_space(const ParticleData<3>& p, const AdvanceOptions& options, std::size_t lane,
-                                 const Doubles& y, const Doubles& mass, Components<Doubles, 3>& u,
-                                 const Doubles& bed, ParticleWork<3, Real>& own, Doubles& bed_drag,
-                                 Doubles& side_layer) {
+                                 const Doubles& x, const Doubles& y, const Doubles& mass,
+                                 Components<Doubles, 3>& u, const Doubles& bed, ParticleWork<3, Real>& own,
+                                 Doubles& bed_drag, Doubles& side_layer) {
     using stdx::abs;
     const double kick = kick_of(options);
     Doubles inside(0.0);
-    stdx::where(p.in_side_layer(y), inside) = Doubles(1.0);
+    stdx::where(p.in_side_layer(x, y), inside) = Doubles(1.0);
     const Doubles side = options.side_drag * inside;
     const Doubles both = bed + side;
     // Bed and side wall act on the same velocity along x, and share the step in proportion.
@@ -106,11 +106,11 @@ template <int D, class Real>
                     store_lanes(Doubles(0.0), &own.drag_force[lane]);
                 }
             } else {
-                const Doubles y = options.side_drag > 0.0 || options.sum_of_drags
-                                      ? members.load(p.position[1])
-                                      : Doubles(0.0);
+                const bool beside_walls = options.side_drag > 0.0 || options.sum_of_drags;
+                const Doubles x = beside_walls ? members.load(p.position[0]) : Doubles(0.0);
+                const Doubles y = beside_walls ? members.load(p.position[1]) : Doubles(0.0);
                 const Doubles mass = options.sum_of_drags ? members.cut(masses(p, members)) : Doubles(0.0);
-                drag_in_space(p, options, lane, y, mass, u, bed, own, bed_drag, side_layer);
+                drag_in_space(p, options, lane, x, y, mass, u, bed, own, bed_drag, side_layer);
             }
             // Written so that a NaN is a fault too.
             auto fine = abs(s) <= 1e300;

@@ -47,12 +47,15 @@ struct ParticleData {
     /// Three dimensions: the drag of the side walls acts where y is below or above.
     double layer_below = -std::numeric_limits<double>::infinity();
     double layer_above = std::numeric_limits<double>::infinity();
+    /// And x lies in the channel: between open ends what stands beyond them has no walls beside it.
+    double layer_from = -std::numeric_limits<double>::infinity();
+    double layer_to = std::numeric_limits<double>::infinity();
     const Clusters<D>* clusters = nullptr;
 
-    /// Whether y, a scalar or lanes, lies in the layer of a side wall.
+    /// Whether a place, scalars or lanes, lies in the layer of a side wall.
     template <class T>
-    [[nodiscard]] RIFFLE_INLINE auto in_side_layer(const T& y) const {
-        return y < layer_below || y > layer_above;
+    [[nodiscard]] RIFFLE_INLINE auto in_side_layer(const T& x, const T& y) const {
+        return (y < layer_below || y > layer_above) && x >= layer_from && x < layer_to;
     }
 };
 

@@ -140,6 +140,24 @@ double Walls<D, Real>::within(const Flow& flow, double x, std::size_t k) {
 }
 
 template <int D, class Real>
+void Walls<D, Real>::bring_to_clock(Flow& flow) {
+    if (!flow.motion.displaces()) return;
+    const std::vector<BodyState> bodies = flow.bodies_now();
+    for (std::size_t slot = 0; slot < flow.wall_clusters.slots(); ++slot) {
+        const std::int32_t particle = flow.wall_clusters.particle_of(slot);
+        if (particle < 0 || !is_solid(flow.walls, static_cast<std::size_t>(particle))) continue;
+        const auto i = static_cast<std::size_t>(particle);
+        const BodyState& body = bodies[static_cast<std::size_t>(flow.walls.body[i])];
+        (void)stand(flow, i, static_cast<std::size_t>(order_[i]), body);
+        auto& gradient = flow.data.wall_gradient[slot];
+        for (std::size_t k = 0; k < Flow::axes; ++k) {
+            gradient.x[k] = flow.fixed_point.encode(flow.walls.position[k][i], k);
+        }
+        flow.data.wall_force[slot].x = gradient.x;
+    }
+}
+
+template <int D, class Real>
 void Walls<D, Real>::move(Flow& flow, const Stage& stage) {
     if (!flow.c.solids.empty()) {
         std::vector<FreeBodyState> after = flow.clock.free_bodies;

@@ -25,6 +25,9 @@ class Walls {
     /// Lists are about to be built of the sorted particles.
     void place_for_lists(Flow& flow);
     void lists_built(Flow& flow, double reach);
+    /// Put the wall particles of solids that move where the bodies are now: what looks at them before the
+    /// evaluations of a step finds the same in a run that goes on as in one that did not stop.
+    void bring_to_clock(Flow& flow);
     /// Where the walls stand at the time of an evaluation, and how they move, into their records.
     void move(Flow& flow, const Stage& stage);
     /// Widen the range of velocities by those of the solids in the step that begins now.

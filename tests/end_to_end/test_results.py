@@ -262,6 +262,8 @@ class Results(CommandLineTest):
             scale = abs(value - value[0]).max()
             self.assertGreater(len(others), 5)
             self.assertLess(abs(others - numpy.interp(0.3 + further, time, value)).max(), 0.02 * scale, name)
+        # So with what components keep of each particle.
+        self.succeed("run", case, "-o", self.folder / "filtered", *common, *source, "--set", "numerics.density_relaxation=0.2", *until(0.05))
         # Another weight, or water on other places: neither can go on.
         for change in ("solid.box.density=700", "numerics.spacing=4mm"):
             self.fail_with(2, "run", case, "-o", self.folder / "third", *common, *source, "--set", change, *until(0.1),

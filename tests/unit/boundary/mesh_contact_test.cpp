@@ -121,6 +121,25 @@ TEST(MeshContact, MovesWithTheSolid) {
     EXPECT_EQ(tank.contact.resolve(now, x, u), 0.0);
 }
 
+// Over periodic sides what comes near the lower face of a box that moves is kept off as at the upper one.
+TEST(MeshContact, KeepsWaterOffBothFacesOverPeriodicSides) {
+    TankWithBox tank(0.0, 0.0);
+    tank.parameters.channel.sides = Sides::periodic;
+    tank.parameters.solids[0].motion = SolidMotion::constant;
+    tank.parameters.solids[0].velocity_y = 0.5;
+    tank.walls = wall_particles<3>(tank.parameters);
+    tank.contact = MeshContact(tank.parameters, tank.walls);
+    const std::vector<BodyState> now = WallMotion(tank.parameters).at(0.01);
+    // The box stands from 0.025 to 0.045 m; both points are as far from its faces.
+    for (const double away : {-1e-4, 1e-4}) {
+        Vec<3> below{0.03, 0.025 - away, 0.009};
+        Vec<3> above{0.03, 0.045 + away, 0.009};
+        Vec<3> u{0.0, 0.5, 0.0};
+        EXPECT_NEAR(tank.contact.resolve(now, below, u), tank.contact.resolve(now, above, u), 1e-9) << away;
+        EXPECT_NEAR(below[1] - 0.035, 0.035 - above[1], 1e-8) << away;
+    }
+}
+
 // The lowest layer has been pressed into the bed: out of the box it comes by the side, not under it.
 TEST(MeshContact, HasNoWayOutUnderASolidOnTheBed) {
     const TankWithBox tank(0.0, 0.0);

@@ -70,6 +70,35 @@ TEST(SurfacePieces, AreNotWhereTwoSolidsTouch) {
     EXPECT_NEAR(sums_of(c, 1, 0.001).along[2], 0.02 * 0.016, 1e-9);
 }
 
+// A bed that goes on beyond the ends of its channel counts within it: along a periodic one nothing presses
+// it, whatever overhangs, and upward as much as the channel is long. Faces level with the bed lie on it.
+TEST(SurfacePieces, OfABedThatOverhangsAreThoseOfTheChannel) {
+    for (const Ends ends : {Ends::periodic, Ends::open}) {
+        Case c;
+        c.channel.length = 0.4;
+        c.channel.depth = 0.1;
+        c.channel.ends = ends;
+        c.bed.kind = BedKind::slip;
+        Solid bed;
+        bed.name = "bed";
+        bed.x = {-0.05, 0.45, 0.45, 0.35, 0.2, 0.05, -0.05};
+        bed.z = {-0.01, -0.01, 0.01, 0.01, 0.03, 0.01, 0.01};
+        c.solids = {bed};
+        Vec<3> along{};
+        for (const SurfacePiece& piece : surface_pieces(c, 0, 0.005)) {
+            for (std::size_t k = 0; k < 3; ++k) along[k] += piece.area[k];
+        }
+        EXPECT_NEAR(along[0], 0.0, 1e-12);
+        EXPECT_NEAR(along[2], 0.4, 1e-12);
+        for (double& z : c.solids[0].z) z = std::max(0.0, z) == 0.01 ? 0.0 : z;
+        Vec<3> level{};
+        for (const SurfacePiece& piece : surface_pieces(c, 0, 0.005)) {
+            for (std::size_t k = 0; k < 3; ++k) level[k] += piece.area[k];
+        }
+        EXPECT_NEAR(level[2], 0.3, 1e-12);  // the hill alone
+    }
+}
+
 TEST(SurfacePieces, OfAnOutlineInTheCornerOfATankAreItsSlope) {
     Case c;
     c.channel.length = 0.4;

@@ -180,6 +180,7 @@ std::vector<Wrong> wrong_open_ends() {
          "solid[0].motion = free; solid[0].density = 700; solid[0].x = [0.001, 0.041, 0.041, 0.001]"},
         {open_channel_with_solid(), "solid[0].x = [0.005, 0.045, 0.045, 0.005]"},
         {open_channel_with_solid(), "solid[0].motion = constant; solid[0].velocity_x = 0.5"},
+        {with_porous(), "channel.top = wall; bed.kind = no-slip; channel.lid_velocity = 0.1"},
         {flume(), "start.kind = backwater"},
     };
 }

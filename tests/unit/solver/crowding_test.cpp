@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "same_bits.hpp"
 #include "small_case.hpp"
 #include "sph/crowding.hpp"
 #include "sph/scalar_kernel.hpp"
@@ -104,6 +105,24 @@ TEST(Crowding, IsNotDissolvedByTheSumsAlone) {
     double speed = 0.0;
     water.advance(5.0, speed);
     EXPECT_GT(water.fill(), 1.5);
+}
+
+// What the rule sees of a wall that moves is where that stands now, in a run that goes on too.
+TEST(Crowding, BesideAMovingSolidInSpaceIsAPartOfTheState) {
+    Case c = test::still_water(3);
+    c.channel.ends = Ends::walls;
+    c.channel.sides = Sides::walls;
+    c.start.jitter = 0.1;
+    Solid piston;
+    piston.name = "piston";
+    piston.shape = SolidShape::box;
+    piston.centre = {0.01, 0.014, 0.05};
+    piston.size = {0.02, 0.06, 0.12};
+    piston.motion = SolidMotion::constant;
+    piston.velocity_x = 0.2;
+    c.solids = {piston};
+    // It looks at each sixteenth step: also at the first one after the resume.
+    for (const int before : {32, 48}) test::expect_same_bits_after_resume<3>(c, before, 24);
 }
 
 // Water in order knows nothing of the rule.

@@ -131,6 +131,20 @@ TEST(DensityRelaxation, IsAPartOfTheState) {
     }
 }
 
+// What it sees of a wall that moves is where that stands now, in a run that goes on as in one that did not
+// stop.
+TEST(DensityRelaxation, BesideAMovingSolidIsAPartOfTheState) {
+    Case c = test::disordered_tank();
+    c.numerics.density_relaxation = coefficient;
+    Solid piston = test::rectangle("piston", 0.0, 0.02, 0.0, 0.08);
+    piston.motion = SolidMotion::constant;
+    piston.velocity_x = 0.1;
+    c.solids = {piston};
+    c.start.packed = false;
+    c.start.jitter = 0.1;
+    for (const int before : {32, 48, 53}) test::expect_same_bits_after_resume(c, before, 30);
+}
+
 TEST(DensityRelaxation, GivesTheSameBitsForAnyNumberOfThreads) {
     Case c = test::small_channel(3);
     c.numerics.density_relaxation = coefficient;

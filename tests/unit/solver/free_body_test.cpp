@@ -72,6 +72,29 @@ Momentum momentum(const Simulation& simulation, double mass) {
     return sum;
 }
 
+// Below a wall at the top the particles feel no gravity across the bed: what is heavier than water sinks all
+// the same, what is lighter rises.
+TEST(FreeBodyInWater, BelowALidHasItsWeightAndBuoyancy) {
+    for (const double density : {2500.0, 400.0}) {
+        Case c = test::still_water();
+        c.channel.length = 0.1;
+        c.channel.depth = 0.06;
+        c.channel.ends = Ends::walls;
+        c.channel.top = Top::wall;
+        Solid stone = test::rectangle("stone", 0.04, 0.06, 0.024, 0.036);
+        stone.motion = SolidMotion::free;
+        stone.density = density;
+        c.solids = {stone};
+        const auto simulation = test::simulation_of<2>(c);
+        while (simulation->clock().time < 0.02) simulation->step();
+        // The water that goes around it adds to its mass.
+        const double alone = (1000.0 - density) / density * 9.81 * 0.02;
+        const double velocity = simulation->clock().free_bodies[0].velocity[2];
+        EXPECT_GT(velocity / alone, 0.1) << density;
+        EXPECT_LT(velocity / alone, 1.0) << density;
+    }
+}
+
 // Until the sound is at the walls nothing else takes momentum: what the body loses the water gains, to the
 // rounding of the pair sums in single precision.
 TEST(FreeBodyInWater, SharesItsMomentumWithTheWater) {

@@ -16,9 +16,10 @@ using test::ChannelIn;
 
 /// Water of which all moves along a channel without friction: 0.1 m/s.
 template <int D>
-ChannelIn<D> moving_water(double settling_time) {
+ChannelIn<D> moving_water(double settling_time, Top top = Top::free_surface) {
     Case c = test::still_water(D);
     c.channel.dimensions = D;
+    c.channel.top = top;
     c.start.perturbation = 0.0;
     c.start.settling_time = settling_time;
     ChannelIn<D> channel(c);
@@ -39,13 +40,12 @@ double mean_velocity(const ChannelIn<D>& channel) {
 /// Rate of the drag at the start, 1/s.
 template <int D>
 double rate_of(const ChannelIn<D>& channel) {
-    const Scheme& scheme = channel.simulation->scheme();
-    return 4.0 * std::sqrt(scheme.normal_gravity / scheme.depth);
+    return 4.0 * std::sqrt(channel.parameters.normal_gravity() / channel.simulation->scheme().depth);
 }
 
 template <int D>
-void expect_decay() {
-    const ChannelIn<D> channel = moving_water<D>(1000.0);
+void expect_decay(Top top = Top::free_surface) {
+    const ChannelIn<D> channel = moving_water<D>(1000.0, top);
     constexpr int steps = 30;
     channel.advance(steps);
     const double rate = rate_of(channel);
@@ -58,6 +58,7 @@ void expect_decay() {
 
 TEST(Settling, SlowsTheWaterByItsRate) {
     expect_decay<2>();
+    expect_decay<2>(Top::wall);  // where the particles feel no gravity across the bed
     expect_decay<3>();
 }
 

@@ -137,6 +137,35 @@ TEST(SideWalls, TakeTheirShareOfTheDrag) {
     }
 }
 
+// What stands beyond open ends, to give the water there its neighbours, is neither held by the bed nor by the
+// side walls, and has no part in what they share.
+TEST(SideWalls, TakeTheirShareOfTheDragBetweenOpenEnds) {
+    Case c = walled_channel(Sides::walls);
+    c.channel.ends = Ends::open;
+    c.channel.length = 0.1;
+    c.start.kind = StartKind::uniform;
+    c.start.velocity = 0.3;
+    c.inflow.unit_discharge = 0.3 * c.total_depth();
+    c.inflow.profile = InflowProfile::uniform;
+    c.outflow.kind = OutflowKind::depth;
+    c.outflow.depth = c.channel.depth;
+    const Space channel(c);
+    channel.advance(5);
+    const Forces f = forces_of(channel);
+    EXPECT_NEAR(f.sides / f.bed, 2.0 * side_wall_partition(c).wall_over_bed, 0.02 * f.sides / f.bed);
+}
+
+// Walls that repel have no particles to count.
+TEST(SideWalls, ThatRepelRun) {
+    Case c = test::still_water(3);
+    c.channel.sides = Sides::walls;
+    c.numerics.wall = WallKind::repulsive;
+    c.numerics.pressure_form = PressureForm::symmetric;
+    const auto simulation = test::simulation_of<3>(c);
+    for (int step = 0; step < 25; ++step) simulation->step();
+    EXPECT_LT(test::rms_speed(simulation->particles()), 0.1);
+}
+
 TEST(SideWalls, ActInTheirLayersAlone) {
     const Case c = walled_channel(Sides::walls);
     const Space channel(c);

@@ -174,5 +174,19 @@ INSTANTIATE_TEST_SUITE_P(
         std::pair{"nikuradse", +[](Case& c) { c.turbulence.closure = ClosureKind::nikuradse; }}),
     [](const auto& instance) { return std::string(instance.param.first); });
 
+// Below a wall at the top there are no waves whose speed would tell, and still water has none.
+TEST(SpeedOfSound, IsThereForWaterThatNothingMoves) {
+    Case c = test::still_water();
+    c.channel.top = Top::wall;
+    EXPECT_NEAR(make_scheme(c, nullptr).state.sound_speed, 10.0 * std::sqrt(9.81 * c.total_depth()), 1e-3);
+    c.fluid.gravity = 0.0;
+    try {
+        static_cast<void>(make_scheme(c, nullptr));
+        ADD_FAILURE() << "no speed of sound follows";
+    } catch (const InputError& error) {
+        EXPECT_THAT(error.what(), HasSubstr("numerics.sound_speed"));
+    }
+}
+
 }  // namespace
 }  // namespace riffle::simulation_test

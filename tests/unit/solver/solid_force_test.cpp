@@ -203,6 +203,76 @@ const Dataset& dataset(const Content& content, const std::string& path) {
 
 // Water that runs into a block comes through its face and is put back: what that takes from its momentum is a
 // part of the forces that are recorded, so that they are its change.
+// Through gravel water presses a wall as much as without it: between two pools of one level nothing is left.
+TEST(SolidForce, OnAWallBesideGravelIsThatOfOpenWater) {
+    Case c = tank_with_blocks();
+    c.solids = {test::rectangle("wall", 0.05, 0.07, 0.0, 0.08)};
+    Porous gravel;
+    gravel.name = "gravel";
+    gravel.porosity = 0.4;
+    gravel.grain_size = 0.005;
+    gravel.x_from = 0.07;
+    c.porous = {gravel};
+    const auto simulation = test::simulation_of<2>(c);
+    double force = 0.0;
+    constexpr int steps = 300;
+    for (int step = 0; step < 2 * steps; ++step) {
+        simulation->step();
+        if (step >= steps) force += simulation->solid_forces()[0].pressure[0] / steps;
+    }
+    const double pressure = 0.5 * c.fluid.density * c.fluid.gravity * 0.05 * 0.05;
+    EXPECT_NEAR(force, 0.0, 0.02 * pressure);
+}
+
+// What lies on a sill that carries the water through open ends is that of the channel, not of the buffers.
+TEST(SolidForce, OnASillThroughOpenEndsIsThatOfTheChannel) {
+    Case c = test::still_water();
+    c.channel.length = 0.2;
+    c.channel.depth = 0.06;
+    c.channel.ends = Ends::open;
+    c.inflow.unit_discharge = 1e-6;
+    c.inflow.profile = InflowProfile::uniform;
+    c.outflow.kind = OutflowKind::depth;
+    c.outflow.depth = 0.04;  // over the sill
+    c.solids = {test::rectangle("sill", -0.2, 0.4, 0.0, 0.02)};
+    const auto simulation = test::simulation_of<2>(c);
+    simulation->step();
+    const double weight = c.fluid.density * c.fluid.gravity * 0.04 * c.channel.length;
+    EXPECT_NEAR(simulation->solid_forces()[0].pressure[2], -weight, 0.06 * weight);
+}
+
+/// A bar that swings in still water of a periodic channel, its axis at `x`, after some steps.
+ForceOnSolid on_swinging_bar(double x, SolidSurface surface) {
+    Case c = test::still_water();
+    c.channel.length = 0.12;
+    c.channel.depth = 0.06;
+    c.numerics.spacing = 0.0025;
+    c.fluid.kinematic_viscosity = 1e-4;
+    Solid bar = test::rectangle("bar", x - 0.02, x + 0.02, 0.025, 0.035);
+    bar.surface = surface;
+    bar.equivalent_roughness = 1e-4;
+    bar.motion = SolidMotion::oscillating;
+    bar.frequency = 2.0;
+    bar.amplitude_angle = 20.0;
+    c.solids = {bar};
+    const auto simulation = test::simulation_of<2>(c);
+    for (int step = 0; step < 120; ++step) simulation->step();
+    return simulation->solid_forces()[0];
+}
+
+// Where the channel begins is a matter of drawing: a bar across its ends feels what one in its middle does.
+TEST(SolidForce, OnABarThatSwingsAcrossPeriodicEndsIsThatInTheMiddle) {
+    for (const SolidSurface surface : {SolidSurface::no_slip, SolidSurface::log_law}) {
+        const ForceOnSolid middle = on_swinging_bar(0.06, surface);
+        const ForceOnSolid ends = on_swinging_bar(0.0, surface);
+        const double scale = std::abs(middle.pressure_moment[1]) + std::abs(middle.friction_moment[1]);
+        EXPECT_GT(scale, 0.0);
+        EXPECT_NEAR(ends.pressure_moment[1], middle.pressure_moment[1], 0.02 * scale);
+        EXPECT_NEAR(ends.friction_moment[1], middle.friction_moment[1], 0.02 * scale);
+        EXPECT_NEAR(ends.pressure[2], middle.pressure[2], 0.01 * std::abs(middle.pressure[2]));
+    }
+}
+
 TEST(SolidForce, OfContactIsInTheChangeOfTheMomentum) {
     Case c = tank_with_blocks();
     c.channel.ends = Ends::periodic;
