@@ -97,7 +97,9 @@ class ChannelRows : public DiagnosticRows {
              fmt::format(
                  "Departures from the steady flow {} {:.2f} s. Averages taken too early still carry the "
                  "start.",
-                 open_ ? "leave through the ends in some" : "die out with an e-folding time of", *relaxation),
+                 converges_between_ends(data_.flow) ? "leave through the ends in some"
+                                                    : "die out with an e-folding time of",
+                 *relaxation),
              times >= 3   ? Health::good
              : times >= 1 ? Health::caution
                           : Health::bad});
