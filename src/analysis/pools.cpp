@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <functional>
 #include <optional>
 
 #include "analysis/chapter_names.hpp"
@@ -108,8 +109,8 @@ Figure figure_of_pools(const char* key, const char* title, const char* caption, 
                        const std::vector<Pool>& pools, std::vector<double> values) {
     Figure figure = make_figure(chapters::along, key, title, caption, "",
                                 make_axis("distance along the channel x", "m"), std::move(axis));
-    std::vector<double> places;
-    for (const Pool& pool : pools) places.push_back(pool.middle());
+    std::vector<double> places(pools.size());
+    std::transform(pools.begin(), pools.end(), places.begin(), std::mem_fn(&Pool::middle));
     figure.y.from = 0.0;
     figure.curves.push_back(
         make_curve("simulated", Origin::simulated, Mark::points, std::move(places), std::move(values)));
@@ -131,8 +132,9 @@ std::vector<Pool> pools_of(const Case& c, const LongProfile& profile) {
     if (c.solids.empty() || profile.x.empty() || (!periodic && c.channel.ends != Ends::open)) return {};
     const std::vector<double> closed = closed_shares(c, profile);
     constexpr double most_of_section = 0.5;
-    std::vector<bool> barrier;
-    for (const double share : closed) barrier.push_back(share >= most_of_section);
+    std::vector<bool> barrier(closed.size());
+    std::transform(closed.begin(), closed.end(), barrier.begin(),
+                   [](double share) { return share >= most_of_section; });
     std::vector<Reach> reaches = reaches_between(barrier, periodic);
     // What is too short for a pool lies in a barrier, as the notch between two beams of one weir does.
     constexpr double least_length = 0.5;

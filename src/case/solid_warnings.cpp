@@ -144,7 +144,7 @@ Findings in_solid(const Case& c, const Probe& probe) {
     for (std::size_t i = 0; i < points; ++i) {
         const Point3 p{at(probe.x, i, 0.0), at(probe.y, i, c.channel.centreline()), at(probe.z, i, 0.0)};
         if (const auto solid = solid_over(c, solids, probe.kind, p)) {
-            return found_if(true, "the point of \"{}\" at x = {}{} stands in the solid \"{}\"", probe.name,
+            return found_if(true, R"(the point of "{}" at x = {}{} stands in the solid "{}")", probe.name,
                             shown_length(p[0]),
                             probe.kind == ProbeKind::wave ? "" : ", z = " + shown_length(p[2]),
                             c.solids[*solid].name);
