@@ -43,9 +43,8 @@ void add_canal(const FlowRecord& record, const CanalFlow& canal, Analysis& analy
     };
     add("canal_velocity", "mean velocity of the canal's water", "m/s",
         within_window(record, fields::time_series.total_mean_velocity), 1.0, canal.velocity);
-    const bool half = record.flow()->channel.sides == Sides::half;
-    add("canal_discharge", "discharge of the canal", "m3/s", discharge_of(record), half ? 2.0 : 1.0,
-        canal.discharge);
+    add("canal_discharge", "discharge of the canal", "m3/s", discharge_of(record),
+        record.flow()->channel.whole_over_simulated(), canal.discharge);
 }
 
 /// Whether a body lies on the water at a place, or less than three spacings above it, as a bridge deck does
@@ -197,13 +196,13 @@ void add_ends(const FlowRecord& record, Analysis& analysis) {
     constexpr std::size_t most = 3000;
     const std::vector<double> time = thinned(series[of.time], most);
     const bool space = record.flow()->channel.dimensions == 3;
-    const bool half = record.flow()->channel.sides == Sides::half;
+    const double whole = record.flow()->channel.whole_over_simulated();
     Figure discharge = make_figure(
         chapters::along, "end_discharges", "Discharge at the ends",
         fmt::format(
             "What enters the channel, what the section at the outflow carries, and what leaves by the account of "
             "the particles, in means over a hundredth of the run each{}.",
-            half ? "; all twice that of the simulated half" : ""),
+            whole > 1.0 ? "; all twice that of the simulated half" : ""),
         "", make_axis("time t", "s"),
         space ? make_axis("discharge", "m3/s") : make_axis("discharge per unit width", "m2/s"));
     Figure depth = make_figure(chapters::along, "end_depths", "Depth at the ends",
@@ -217,7 +216,7 @@ void add_ends(const FlowRecord& record, Analysis& analysis) {
     add(discharge, "section at the outflow", of.outflow_discharge, 1);
     if (series.has(of.mass_stored)) discharge.curves.push_back(leaving_discharge(record));
     for (Curve& curve : discharge.curves) {
-        for (double& value : curve.y) value *= half ? 2.0 : 1.0;
+        for (double& value : curve.y) value *= whole;
     }
     add(depth, "inflow", of.inflow_depth, 0);
     add(depth, "outflow", of.outflow_depth, 1);

@@ -48,7 +48,7 @@ std::string partition_remark(const Case& c) {
 void add_instruments(const FlowRecord& record, const char* kind, Figure figure, Analysis& analysis) {
     const Case& c = *record.flow();
     // A section of half of a channel records half of its discharge.
-    const bool half = c.channel.sides == Sides::half && std::string_view(kind) == "flow_rate";
+    const double whole = std::string_view(kind) == "flow_rate" ? c.channel.whole_over_simulated() : 1.0;
     // The force normal to the wall carries the weight of the water, a hundred times the others.
     Figure normal = figure;
     normal.key += "_wall_normal";
@@ -79,7 +79,7 @@ void add_instruments(const FlowRecord& record, const char* kind, Figure figure, 
         const std::string& unit = is_moment(probe) ? moments.y.unit : figure.y.unit;
         if (probe.kind != kind || probe.unit != unit || probe.value.size() < 2) continue;
         std::vector<double> value = probe.value;
-        for (double& each : value) each *= half ? 2.0 : 1.0;
+        for (double& each : value) each *= whole;
         (is_moment(probe)                                     ? moments
          : probe.quantity.rfind("solid_", 0) == 0             ? solids
          : probe.quantity.find("normal") != std::string::npos ? normal
@@ -90,7 +90,7 @@ void add_instruments(const FlowRecord& record, const char* kind, Figure figure, 
         Finding finding = make_finding(chapters::forces, probe.name + "_" + probe.quantity, probe.label,
                                        probe.unit, mean.mean, trusted_half_width(mean));
         finding.remark = "instrument " + probe.name;
-        if (half) finding.remark += "; twice what passes the simulated half";
+        if (whole > 1.0) finding.remark += "; twice what passes the simulated half";
         // Below this it is rounding of a force that does not vary.
         if (mean.standard_deviation > 1e-12 * std::abs(mean.mean)) {
             finding.remark +=
@@ -162,7 +162,7 @@ void analyse_forces(const FlowRecord& record, Analysis& analysis) {
             chapters::forces, "flow_rate_history", "Flow rate through sections",
             fmt::format("Discharge {}through the sections of the instruments{}.",
                         in_space ? "" : "per unit width ",
-                        c.channel.sides == Sides::half ? ", twice that of the simulated half" : ""),
+                        c.channel.whole_over_simulated() > 1.0 ? ", twice that of the simulated half" : ""),
             "", make_axis("time t", "s"),
             in_space ? make_axis("discharge", "m3/s") : make_axis("discharge per unit width", "m2/s")),
         analysis);
@@ -204,8 +204,7 @@ void analyse_forces(const FlowRecord& record, Analysis& analysis) {
         if (!c.porous.empty()) porous_share = twin.value(fields::section_numbers.porous_share);
     } else if (record.column() != nullptr) {
         drag_share = record.column()->drag_share;
-        // Of the bed alone; the particles feel the wall above as well.
-        wall_share = (c.channel.top == Top::wall ? 2.0 : 1.0) * record.column()->wall_share;
+        wall_share = record.column()->wall_force_share;
         vegetation_share = record.column()->vegetation_share;
         porous_share = record.column()->porous_share;
     }

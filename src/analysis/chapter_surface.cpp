@@ -90,9 +90,10 @@ void add_deviation(const FlowRecord& record, const SurfaceFluctuation& surface, 
                         deviation.value / record.flow()->numerics.spacing));
     }
     if (record.flow() != nullptr) {
-        analysis.findings.push_back(make_finding(
-            chapters::surface, "surface_relative_deviation", "the same over the water depth", "1",
-            deviation.value / water_depth(record), deviation.half_width / water_depth(record)));
+        const double depth = water_depth(record);
+        analysis.findings.push_back(make_finding(chapters::surface, "surface_relative_deviation",
+                                                 "the same over the water depth", "1",
+                                                 deviation.value / depth, deviation.half_width / depth));
     }
     if (surface.line.periodic) {
         Finding level = make_finding(chapters::surface, "surface_level_deviation",

@@ -23,7 +23,7 @@ std::vector<PassingSection> passing_sections(const FlowRecord& record) {
     const double smoothing = passing_stretch(*record.flow());
     const double spacing = record.flow()->numerics.spacing;
     // The sections of half a channel measure that half.
-    const double of_whole = record.flow()->channel.sides == Sides::half ? 2.0 : 1.0;
+    const double of_whole = record.flow()->channel.whole_over_simulated();
     const auto end_of = [&](const ScalarProbe& probe) {
         return &probe == find_at_end(record, fields::flow_rate.flow_rate, 1)   ? 1
                : &probe == find_at_end(record, fields::flow_rate.flow_rate, 2) ? 2

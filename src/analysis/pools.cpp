@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
-#include <functional>
 #include <optional>
 
 #include "analysis/chapter_names.hpp"
@@ -24,27 +23,19 @@ std::vector<double> closed_shares(const Case& flow, const LongProfile& profile) 
     Case c = flow;
     if (c.channel.dimensions == 3) c.meshes = meshes_of(flow);
     const SolidPlaces solids(c);
-    const auto steps = [&c](double length) { return std::max(1L, std::lround(length / c.numerics.spacing)); };
-    const double width = c.channel.dimensions == 3 ? c.channel.simulated_width() : 0.0;
-    const long across = steps(width);
+    const auto is_open = [&](const Point3& place) {
+        const auto solid = solids.resting_at(place);
+        return !solid || c.solids[*solid].part_of_bed;
+    };
+    const auto points_over = [&c](double extent) {
+        return std::max(1, static_cast<int>(std::lround(extent / c.numerics.spacing)));
+    };
+    const int files = c.channel.dimensions == 3 ? points_over(c.channel.simulated_width()) : 1;
     std::vector<double> shares;
     for (std::size_t i = 0; i < profile.x.size(); ++i) {
         const double level = profile.level[i];
-        if (!(level > 0.0)) {
-            shares.push_back(1.0);
-            continue;
-        }
-        const long up = steps(level);
-        long closed = 0;
-        for (long k = 0; k < up; ++k) {
-            for (long j = 0; j < across; ++j) {
-                const auto solid = solids.resting_at(
-                    {profile.x[i], (static_cast<double>(j) + 0.5) * width / static_cast<double>(across),
-                     (static_cast<double>(k) + 0.5) * level / static_cast<double>(up)});
-                if (solid && !c.solids[*solid].part_of_bed) ++closed;
-            }
-        }
-        shares.push_back(static_cast<double>(closed) / static_cast<double>(up * across));
+        shares.push_back(
+            level > 0.0 ? 1.0 - open_share(c, profile.x[i], level, points_over(level), files, is_open) : 1.0);
     }
     return shares;
 }
@@ -104,13 +95,16 @@ Reach end_beside(const Reach& reach, std::size_t longest, bool before_barrier) {
     return before_barrier ? Reach{reach.end - length, reach.end} : Reach{reach.first, reach.first + length};
 }
 
-/// A quantity of each pool over their places.
-Figure figure_of_pools(const char* key, const char* title, const char* caption, Axis axis,
+/// A quantity of each pool over their places in the channel.
+Figure figure_of_pools(const char* key, const char* title, const char* caption, Axis axis, double length,
                        const std::vector<Pool>& pools, std::vector<double> values) {
     Figure figure = make_figure(chapters::along, key, title, caption, "",
                                 make_axis("distance along the channel x", "m"), std::move(axis));
     std::vector<double> places(pools.size());
-    std::transform(pools.begin(), pools.end(), places.begin(), std::mem_fn(&Pool::middle));
+    std::transform(pools.begin(), pools.end(), places.begin(),
+                   [length](const Pool& pool) { return std::fmod(pool.middle(), length); });
+    figure.x.from = 0.0;
+    figure.x.to = length;
     figure.y.from = 0.0;
     figure.curves.push_back(
         make_curve("simulated", Origin::simulated, Mark::points, std::move(places), std::move(values)));
@@ -202,11 +196,11 @@ void add_pools(const FlowRecord& record, const LongProfile& profile, double unit
     analysis.figures.push_back(figure_of_pools("pool_falls", "Fall from pool to pool",
                                                "Of the water that comes into each pool: its mean level below "
                                                "that of the water before.",
-                                               make_axis("fall Δh", "m"), pools, falls));
+                                               make_axis("fall Δh", "m"), c.channel.length, pools, falls));
     analysis.figures.push_back(figure_of_pools(
         "pool_powers", "Power per volume of the pools",
         "What each pool takes from the water that falls into it, over the volume of its water.",
-        make_axis("ρgqΔh/V", "W/m3"), pools, powers));
+        make_axis("ρgqΔh/V", "W/m3"), c.channel.length, pools, powers));
     for (const double allowed : {150.0, 200.0}) {
         analysis.figures.back().guides.push_back(
             {fmt::format("{:.0f} W/m3 (FAO/DVWK 2002)", allowed), false, allowed, allowed});

@@ -74,7 +74,8 @@ Figure intensities(const FlowRecord& record, const EddiesAndNoise& split) {
         make_axis("height above the datum over depth z/h", "1"));
     const double friction_velocity = friction_velocity_of(record);
     std::vector<double> height;
-    for (const double z : split.z) height.push_back((z - c.datum()) / water_depth(record));
+    const double depth = water_depth(record);
+    for (const double z : split.z) height.push_back((z - c.datum()) / depth);
     const auto add = [&](const std::string& name, std::vector<double> rms, Mark mark, int variant) {
         for (double& value : rms) value /= friction_velocity;
         figure.curves.push_back(make_curve(name, Origin::simulated, mark, std::move(rms), height, variant));

@@ -74,6 +74,7 @@ void add_intensities(const FlowRecord& record, const Profiles& p, Analysis& anal
                     "the profiles hold no fluctuations, or no friction velocity is known");
         return;
     }
+    const double depth = water_depth(record);
     const auto add = [&](const std::string& name, Origin origin, const Profiles& from,
                          const std::vector<double>& rms, double scale, int variant) {
         if (rms.empty()) return;
@@ -81,7 +82,7 @@ void add_intensities(const FlowRecord& record, const Profiles& p, Analysis& anal
         std::vector<double> y;
         for (std::size_t i = 0; i < rms.size(); ++i) {
             x.push_back(rms[i] / scale);
-            y.push_back((from.z[i] - c.datum()) / water_depth(record));
+            y.push_back((from.z[i] - c.datum()) / depth);
         }
         figure.curves.push_back(make_curve(
             name, origin, origin == record.origin() ? Mark::line_and_points : Mark::points, x, y, variant));
@@ -99,7 +100,7 @@ void add_intensities(const FlowRecord& record, const Profiles& p, Analysis& anal
     add_measured_turbulence(record, ProfileQuantity::spanwise_rms, &Profiles::spanwise_velocity_rms,
                             "measured v'", 1.0 / of_measured, 2, figure);
     for (std::size_t i = measured_first; i < figure.curves.size(); ++i) {
-        for (double& z : figure.curves[i].y) z = (z - c.datum()) / water_depth(record);
+        for (double& z : figure.curves[i].y) z = (z - c.datum()) / depth;
     }
     const auto add_law = [&](const char* name, double TurbulenceIntensities::*component, int variant) {
         Curve curve = make_curve(name, Origin::theory, Mark::line, {}, {}, variant);

@@ -151,10 +151,11 @@ WallParticles<3> wall_particles<3>(const Case& c) {
     const bool walls_go_on = c.channel.sides == Sides::half && is_no_slip(c.bed);
     const auto add = [&](const Vec<3>& x, const std::array<int, 3>& faces, double behind) {
         const bool image = walls_go_on && faces[1] < 0 && (faces[0] != 0 || faces[2] != 0);
-        const int walls = std::abs(faces[0]) + (image ? 0 : std::abs(faces[1])) + std::abs(faces[2]);
+        const std::array<int, 3> holding{faces[0], image ? 0 : faces[1], faces[2]};
+        const int walls = std::abs(holding[0]) + std::abs(holding[1]) + std::abs(holding[2]);
         for (std::size_t k = 0; k < 3; ++k) {
             wall.position[k].push_back(x[k]);
-            wall.normal[k].push_back(walls == 1 && !(image && k == 1) ? faces[k] : 0.0);
+            wall.normal[k].push_back(walls == 1 ? holding[k] : 0.0);
             for (std::size_t l = 0; l < 3; ++l) {
                 wall.projector[3 * k + l].push_back(k == l && faces[k] != 0 ? 1.0 : 0.0);
             }

@@ -38,18 +38,22 @@ template <int D>
     }
 }
 
-/// A place as it lies beside a body that turns: in a channel that repeats, the image nearest to the middle of
-/// its turning, as turning it about that needs; beside others as it is.
+/// A place of a flow as one of a body, in a channel that repeats the image nearest to another place.
 template <int D>
-[[nodiscard]] Vec<3> place_beside(const Domain<D>& domain, const BodyState& body, Vec<D> place) {
-    if (body.turns) {
-        const Vec<D> centre = in_flow<D>(body.centre);
-        const Vec<D> moved = in_flow<D>(body.displacement);
-        for (std::size_t k = 0; k < place.size(); ++k) {
-            place[k] = domain.image_near(centre[k] + moved[k], place[k], k);
-        }
-    }
+[[nodiscard]] Vec<3> image_beside(const Domain<D>& domain, const Vec<3>& other, Vec<D> place) {
+    const Vec<D> near = in_flow<D>(other);
+    for (std::size_t k = 0; k < place.size(); ++k) place[k] = domain.image_near(near[k], place[k], k);
     return in_space_of<D>(place);
+}
+
+/// The same beside the middle of a body's turning, as turning it about that needs; where the body does not
+/// turn, as it is.
+template <int D>
+[[nodiscard]] Vec<3> place_beside(const Domain<D>& domain, const BodyState& body, const Vec<D>& place) {
+    if (!body.turns) return in_space_of<D>(place);
+    Vec<3> middle = body.centre;
+    for (std::size_t k = 0; k < middle.size(); ++k) middle[k] += body.displacement[k];
+    return image_beside<D>(domain, middle, place);
 }
 
 /// The motion of the walls and solids of a case: of free bodies as far as the case prescribes it, their

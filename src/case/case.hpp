@@ -32,6 +32,8 @@ struct Channel {
     /// Extent of the simulated water across the channel, m: half the width where the other half is its mirror
     /// image.
     [[nodiscard]] double simulated_width() const { return sides == Sides::half ? 0.5 * width : width; }
+    /// Of what passes a section, the whole over what is simulated.
+    [[nodiscard]] double whole_over_simulated() const { return sides == Sides::half ? 2.0 : 1.0; }
     /// Width that masses, forces and discharges are of, m: that, in two dimensions one metre.
     [[nodiscard]] double flow_width() const { return dimensions == 3 ? simulated_width() : 1.0; }
     /// Place of the channel's centreline across it, m.

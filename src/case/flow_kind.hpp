@@ -53,17 +53,18 @@ enum class FlowKind {
     return c.channel.ends == Ends::open && c.channel.top == Top::wall;
 }
 
+/// Whether the water rests at the side walls, as at the bed.
+[[nodiscard]] inline bool rests_at_sides(const Case& c) { return c.has_side_walls() && is_no_slip(c.bed); }
+
 /// Whether the water loses momentum along the channel downward alone, but for forces on its volume: to no
 /// wall at the top, no side walls at which it rests, and nothing at its ends.
 [[nodiscard]] inline bool only_bed_holds(const Case& c) {
-    return c.channel.ends == Ends::periodic && c.channel.top != Top::wall &&
-           !(c.has_side_walls() && is_no_slip(c.bed));
+    return c.channel.ends == Ends::periodic && c.channel.top != Top::wall && !rests_at_sides(c);
 }
 
 /// The same but for a wall at the top: the shear stress is a straight line from it to the bed.
 [[nodiscard]] inline bool has_periodic_lid(const Case& c) {
-    return c.channel.ends == Ends::periodic && c.channel.top == Top::wall &&
-           !(c.has_side_walls() && is_no_slip(c.bed));
+    return c.channel.ends == Ends::periodic && c.channel.top == Top::wall && !rests_at_sides(c);
 }
 
 /// Whether solids stand in the flow that are not part of its bed.

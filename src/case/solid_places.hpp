@@ -30,6 +30,22 @@ class SolidPlaces {
     std::vector<Outline> outlines_;  ///< two dimensions; empty where they are none
 };
 
+/// The part of a section of a channel, at x and up to a height (m), whose places are open: of the middles of
+/// so many equal parts over the height and, in three dimensions, across.
+template <class Open>
+[[nodiscard]] double open_share(const Case& c, double x, double height, int rows, int files,
+                                const Open& is_open) {
+    const double width = c.channel.simulated_width();
+    int open = 0;
+    for (int file = 0; file < files; ++file) {
+        for (int row = 0; row < rows; ++row) {
+            const Point3 place{x, width * (file + 0.5) / files, height * (row + 0.5) / rows};
+            open += is_open(place) ? 1 : 0;
+        }
+    }
+    return static_cast<double>(open) / (files * rows);
+}
+
 /// Where there may be water along an axis, but for solids, m: beyond is a wall. Without bounds where the
 /// channel repeats, or is open to the air.
 [[nodiscard]] PatchRange water_range(const Case& c, std::size_t axis);

@@ -172,6 +172,7 @@ ColumnResult solve_column(const Case& c, int cells) {
     const double at_bed = stress.front() / weight;
     result.drag_share = has_wall_law(c) ? at_bed : balance.drag(u) / weight;
     result.wall_share = has_wall_law(c) ? 0.0 : at_bed;
+    result.wall_force_share = (wall_above ? 2.0 : 1.0) * result.wall_share;
     result.vegetation_share = balance.vegetation_drag(u) / weight;
     result.porous_share = balance.porous_drag(u) / weight;
     result.relaxation_time = slowest_decay_time(balance, u);

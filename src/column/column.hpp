@@ -30,6 +30,7 @@ struct ColumnResult {
     LogLawFit log_law;             ///< fit of the profile to the rough log law
     double drag_share = 0;         ///< bed drag / weight component
     double wall_share = 0;        ///< wall friction at z = 0 / weight component (half of it under a top wall)
+    double wall_force_share = 0;  ///< the same of all walls: under a top wall of that as well
     double vegetation_share = 0;  ///< drag of the vegetation / weight component
     double porous_share = 0;      ///< resistance of porous layers / weight component
     double friction_factor = 0;   ///< f (2.6)

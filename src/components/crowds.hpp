@@ -20,8 +20,11 @@ class Crowds final : public Component<D, Real> {
 
     Crowds(bool counts_walls, int interval) : counts_walls_(counts_walls), interval_(interval) {}
 
+    [[nodiscard]] bool looks_at_walls(const Flow& flow) const override {
+        return counts_walls_ && looks_now(flow);
+    }
     void begin_step(Flow& flow, double dt) override {
-        if (flow.clock.steps % interval_ != 0) return;
+        if (!looks_now(flow)) return;
         const Scheme& scheme = flow.scheme;
         const double turns = interval_ * dt * scheme.state.sound_speed / scheme.smoothing_length;
         if (counts_walls_) sum_walls(flow);
@@ -35,6 +38,8 @@ class Crowds final : public Component<D, Real> {
     }
 
   private:
+    [[nodiscard]] bool looks_now(const Flow& flow) const { return flow.clock.steps % interval_ == 0; }
+
     /// Sum of V W over the particles of the walls around each particle, by Wendland's C2 kernel whatever that
     /// of the scheme: in full support all give 1.
     void sum_walls(Flow& flow) {

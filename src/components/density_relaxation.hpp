@@ -32,10 +32,13 @@ class DensityRelaxation final : public Component<D, Real> {
           surplus_(flow.particles.add_field(
               {"volume_surplus", "1", "how much more volume of particles than room the kernel finds"})) {}
 
+    [[nodiscard]] bool looks_at_walls(const Flow& flow) const override {
+        return flow.clock.steps % interval == 0;
+    }
     void begin_step(Flow& flow, double /*dt*/) override {
         // A particle that has just come has none yet.
         flow.particles.further[surplus_].values.resize(flow.particles.size(), 0.0);
-        if (flow.clock.steps % interval == 0) look_at_volumes(flow);
+        if (looks_at_walls(flow)) look_at_volumes(flow);
     }
 
     void complete_gradients(Flow& flow, Task& task, std::size_t begin, std::size_t end) override {

@@ -103,11 +103,8 @@ class SolidFriction final : public Component<D, Real> {
         if (!loads_.empty() && in_channel(flow.c, position[0])) {
             const Point3 on_solid = in_space_of<D>(force);
             const Point3 about = body.placed(surface.about);
-            Vec<D> near = position;
-            for (std::size_t k = 0; k < Flow::axes; ++k) {
-                near[k] = flow.domain.image_near(in_flow<D>(about)[k], near[k], k);
-            }
-            load += {on_solid, cross(minus(in_space_of<D>(near), about), on_solid)};
+            const Point3 near = image_beside<D>(flow.domain, about, position);
+            load += {on_solid, cross(minus(near, about), on_solid)};
         }
     }
 

@@ -10,30 +10,18 @@ namespace riffle::inline ends {
 
 namespace {
 
-/// The part of the section at a place that no solid at rest takes up.
-double open_share(const Case& c, const SolidPlaces& solids, double x) {
-    // A slit is seen by the spacing, and a large duct costs no more than a cell of eddies.
-    const auto points = [&](double extent) {
-        return std::clamp(static_cast<int>(std::lround(extent / c.numerics.spacing)), 24, 64);
-    };
-    const bool in_space = c.channel.dimensions == 3;
-    const int rows = points(c.total_depth());
-    const int files = in_space ? points(c.channel.simulated_width()) : 1;
-    int open = 0;
-    for (int i = 0; i < files; ++i) {
-        for (int k = 0; k < rows; ++k) {
-            const Point3 p{x, c.channel.simulated_width() * (i + 0.5) / files,
-                           c.total_depth() * (k + 0.5) / rows};
-            open += solids.resting_at(p) ? 0 : 1;
-        }
-    }
-    return static_cast<double>(open) / (files * rows);
+/// Points that see a slit by the spacing; a large duct costs no more than a cell of eddies.
+int points_over(const Case& c, double extent) {
+    return std::clamp(static_cast<int>(std::lround(extent / c.numerics.spacing)), 24, 64);
 }
 
 }  // namespace
 
 double narrowest_opening(const Case& c) {
     const SolidPlaces solids(c);
+    const auto is_open = [&solids](const Point3& place) { return !solids.resting_at(place); };
+    const int rows = points_over(c, c.total_depth());
+    const int files = c.channel.dimensions == 3 ? points_over(c, c.channel.simulated_width()) : 1;
     double least = 1.0;
     for (const Solid& solid : c.solids) {
         const auto along = solid.rests() ? extent_of(c, solid, 0) : std::nullopt;
@@ -42,7 +30,8 @@ double narrowest_opening(const Case& c) {
         const double to = std::min(along->high, c.channel.length);
         const int sections = std::clamp(static_cast<int>(std::ceil((to - from) / c.numerics.spacing)), 1, 64);
         for (int i = 0; i < sections; ++i) {
-            least = std::min(least, open_share(c, solids, from + (to - from) * (i + 0.5) / sections));
+            const double x = from + (to - from) * (i + 0.5) / sections;
+            least = std::min(least, open_share(c, x, c.total_depth(), rows, files, is_open));
         }
     }
     return least;

@@ -30,6 +30,9 @@ class Component {
     virtual void lists_built(const Flow& /*flow*/) {}
     /// Before the length of the step is chosen.
     virtual void before_step(Flow& /*flow*/) {}
+    /// Whether begin_step() of the step that begins looks at wall particles: those of solids that move are
+    /// then brought to where the bodies are now.
+    [[nodiscard]] virtual bool looks_at_walls(const Flow& /*flow*/) const { return false; }
     /// A step of dt begins; Flow::keep_fields says whether its fields are kept.
     virtual void begin_step(Flow& /*flow*/, double /*dt*/) {}
     /// Before the passes of an evaluation, when the walls are where they are in it.

@@ -260,10 +260,8 @@ void add_forces(Table& table, const ReportData& data) {
     }
     // A bed that acts by its elements alone has no wall friction to report.
     const auto wall = find_value(data.summary, fields::summary.wall_over_gravity);
-    auto twin_wall = data.flow.has_side_walls() ? find_value(data.section, section.wall_share)
-                                                : find_value(data.column, column.wall_share);
-    // That of the column is the bed's alone, the particles' that of the wall above as well.
-    if (twin_wall && data.flow.channel.top == Top::wall) *twin_wall *= 2.0;
+    const auto twin_wall = data.flow.has_side_walls() ? find_value(data.section, section.wall_share)
+                                                      : find_value(data.column, column.wall_share);
     if (wall.value_or(0.0) == 0.0 && twin_wall.value_or(0.0) == 0.0) return;
     table.add(row_of("wall_over_gravity", "Wall friction / weight component", "", "1", 1, 3),
               {plain(wall), {}, plain(twin_wall)});

@@ -28,7 +28,7 @@ void complete_column(ReportData& data) {
     set(of.surface_velocity, column.surface_velocity);
     set(of.friction_velocity, column.friction_velocity);
     set(of.drag_share, column.drag_share);
-    set(of.wall_share, column.wall_share);
+    set(of.wall_share, column.wall_force_share);
     if (!data.flow.vegetation.empty()) set(of.vegetation_share, column.vegetation_share);
     if (!data.flow.porous.empty()) set(of.porous_share, column.porous_share);
     set(of.relaxation_time, column.relaxation_time);

@@ -45,6 +45,8 @@ bool is_drawn_alike(const Solid& a, const Solid& b) {
         drawn.unit = s.unit;
         drawn.height_unit = s.height_unit;
         drawn.origin = s.origin;
+        drawn.blend = s.blend;
+        drawn.largest_hole = s.largest_hole;
         drawn.y = s.y;
         drawn.levels = s.levels;
         drawn.bottom_width = s.bottom_width;

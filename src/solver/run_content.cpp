@@ -41,7 +41,7 @@ void add_column(Content& content, const ColumnResult& column, const Case& c) {
         number(numbers.zero_plane, column.log_law.zero_plane);
     }
     number(numbers.drag_share, column.drag_share);
-    number(numbers.wall_share, column.wall_share);
+    number(numbers.wall_share, column.wall_force_share);
     if (!c.vegetation.empty()) number(numbers.vegetation_share, column.vegetation_share);
     if (!c.porous.empty()) number(numbers.porous_share, column.porous_share);
     number(numbers.friction_factor, column.friction_factor);

@@ -57,7 +57,8 @@ void SimulationOf<D, Real>::take_step(double fields_due) {
     // As the recorder will see the time: the same sum.
     flow_.keep_fields = clock.time + dt >= fields_due;
     if (flow_.keep_fields) flow_.fields.template reset<Real>(flow_.particles.size(), D, flow_.scheme.density);
-    walls_.bring_to_clock(flow_);
+    const auto looks_at_walls = [this](const auto& component) { return component->looks_at_walls(flow_); };
+    if (std::any_of(components_.begin(), components_.end(), looks_at_walls)) walls_.bring_to_clock(flow_);
     for (const auto& component : components_) component->begin_step(flow_, dt);
     const double begin = clock.time;
     for (const Stage& stage : method_->begin(flow_, dt)) {

@@ -159,8 +159,7 @@ std::optional<double> open_friction_velocity(const Case& c, std::span<const doub
                                              std::span<const double> wall_share,
                                              std::span<const double> volume) {
     const bool other_forces = has_bodies(c) || has_solid_bed(c) || !c.vegetation.empty() ||
-                              !c.porous.empty() || c.channel.top == Top::wall ||
-                              (c.has_side_walls() && is_no_slip(c.bed));
+                              !c.porous.empty() || c.channel.top == Top::wall || rests_at_sides(c);
     if (c.channel.ends != Ends::open || other_forces) return std::nullopt;
     const auto stress = bed_stress_of_weight(c, is_no_slip(c.bed) ? wall_share : drag_share, volume);
     if (!stress) return std::nullopt;

@@ -33,16 +33,13 @@ class DummyWalls final : public WallTreatment<D, Real> {
         return flow.bodies.empty() ? nullptr : &flow.bodies[static_cast<std::size_t>(flow.walls.body[i])];
     }
 
-    /// The place of a wall particle, or a point behind its surface, beside its body.
+    /// A point so far before a wall particle that is the part of a body which turns, beside that body.
     static Vec<3> beside(const Flow& flow, const BodyState& body, std::size_t i, double before) {
-        const Vec<D> centre = in_flow<D>(body.centre);
-        const Vec<D> moved = in_flow<D>(body.displacement);
-        Vec<D> place{};
-        for (std::size_t k = 0; k < Flow::axes; ++k) {
-            place[k] = flow.domain.image_near(centre[k] + moved[k], flow.walls.position[k][i], k) +
-                       before * flow.walls.normal[k][i];
-        }
-        return in_space_of<D>(place);
+        const Vec<D> normal = vector_of(flow.walls.normal, i);
+        Vec<3> place = place_beside<D>(flow.domain, body, vector_of(flow.walls.position, i));
+        const Vec<3> out = in_space_of<D>(normal);
+        for (std::size_t k = 0; k < 3; ++k) place[k] += before * out[k];
+        return place;
     }
 
     /// Adami et al. (2012), eq. 27: p_w = [sum p_f W + (g - a_w) . sum rho r_wf W] / sum W.

@@ -140,21 +140,28 @@ double Walls<D, Real>::within(const Flow& flow, double x, std::size_t k) {
 }
 
 template <int D, class Real>
-void Walls<D, Real>::bring_to_clock(Flow& flow) {
-    if (!flow.motion.displaces()) return;
-    const std::vector<BodyState> bodies = flow.bodies_now();
+template <class Moved>
+void Walls<D, Real>::stand_solids(Flow& flow, const std::vector<BodyState>& bodies, const Moved& moved) {
+    PairData<D, Real>& data = flow.data;
     for (std::size_t slot = 0; slot < flow.wall_clusters.slots(); ++slot) {
         const std::int32_t particle = flow.wall_clusters.particle_of(slot);
         if (particle < 0 || !is_solid(flow.walls, static_cast<std::size_t>(particle))) continue;
         const auto i = static_cast<std::size_t>(particle);
         const BodyState& body = bodies[static_cast<std::size_t>(flow.walls.body[i])];
-        (void)stand(flow, i, static_cast<std::size_t>(order_[i]), body);
-        auto& gradient = flow.data.wall_gradient[slot];
+        const Vec<3> velocity = stand(flow, i, static_cast<std::size_t>(order_[i]), body);
+        auto& gradient = data.wall_gradient[slot];
         for (std::size_t k = 0; k < Flow::axes; ++k) {
             gradient.x[k] = flow.fixed_point.encode(flow.walls.position[k][i], k);
         }
-        flow.data.wall_force[slot].x = gradient.x;
+        data.wall_force[slot].x = gradient.x;
+        moved(slot, i, in_flow<D>(velocity));
     }
+}
+
+template <int D, class Real>
+void Walls<D, Real>::bring_to_clock(Flow& flow) {
+    if (!flow.motion.displaces()) return;
+    stand_solids(flow, flow.bodies_now(), [](std::size_t, std::size_t, const Vec<D>&) {});
 }
 
 template <int D, class Real>
@@ -169,27 +176,17 @@ void Walls<D, Real>::move(Flow& flow, const Stage& stage) {
     if (!flow.motion.any()) return;
     flow.bodies = flow.bodies_now();
     if (!flow.motion.displaces()) return;
-    PairData<D, Real>& data = flow.data;
-    WallParticles<D>& walls = flow.walls;
-    data.wall_drift.assign(data.wall_force.size(), {});
-    for (std::size_t slot = 0; slot < flow.wall_clusters.slots(); ++slot) {
-        const std::int32_t particle = flow.wall_clusters.particle_of(slot);
-        if (particle < 0 || !is_solid(walls, static_cast<std::size_t>(particle))) continue;
-        const auto i = static_cast<std::size_t>(particle);
-        const BodyState& body = flow.bodies[static_cast<std::size_t>(walls.body[i])];
-        const auto reference = static_cast<std::size_t>(order_[i]);
-        auto& gradient = data.wall_gradient[slot];
-        const Vec<D> velocity = in_flow<D>(stand(flow, i, reference, body));
+    const WallParticles<D>& walls = flow.walls;
+    flow.data.wall_drift.assign(flow.data.wall_force.size(), {});
+    stand_solids(flow, flow.bodies, [&](std::size_t slot, std::size_t i, const Vec<D>& velocity) {
         for (std::size_t k = 0; k < Flow::axes; ++k) {
-            gradient.x[k] = flow.fixed_point.encode(walls.position[k][i], k);
             double drift = 0.0;
             for (std::size_t l = 0; l < Flow::axes; ++l) {
                 drift += walls.projector[k * Flow::axes + l][i] * velocity[l];
             }
-            data.wall_drift[slot][k] = static_cast<Real>(drift);
+            flow.data.wall_drift[slot][k] = static_cast<Real>(drift);
         }
-        data.wall_force[slot].x = gradient.x;
-    }
+    });
 }
 
 template <int D, class Real>

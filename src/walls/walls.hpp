@@ -56,6 +56,10 @@ class Walls {
     /// Place and normal of a wall particle with its body; returns its velocity. `reference`: its number at
     /// t = 0.
     Vec<3> stand(Flow& flow, std::size_t i, std::size_t reference, const BodyState& body) const;
+    /// Put the wall particles of solids and their records where these bodies are, and tell of each
+    /// `moved(slot, particle, velocity)`.
+    template <class Moved>
+    void stand_solids(Flow& flow, const std::vector<BodyState>& bodies, const Moved& moved);
     /// A coordinate along axis k in the domain.
     static double within(const Flow& flow, double x, std::size_t k);
     /// How far the particles of each body are from the point that it turns about.

@@ -155,6 +155,23 @@ TEST(Section, WithoutWallsEffectsIsTheColumnEverywhere) {
     }
 }
 
+/// A channel 80 mm deep whose bed and sides hold laminar water at rest.
+Case laminar_channel(double width, Sides sides, double viscosity) {
+    Case c;
+    c.channel.dimensions = 3;
+    c.channel.sides = sides;
+    c.channel.width = width;
+    c.channel.depth = 0.08;
+    c.channel.slope = 0.001;
+    c.bed.kind = BedKind::no_slip;
+    c.bed.roughness_height = 0.0;
+    c.bed.datum_below_crest = 0.0;
+    c.side_walls.drag_form = SideDragForm::none;
+    c.turbulence.closure = ClosureKind::none;
+    c.fluid.kinematic_viscosity = viscosity;
+    return c;
+}
+
 /// Laminar flow in an open channel of no-slip bed and sides, half of that in a duct twice as deep (White
 /// 2006, eq. 3-48): the velocity at y from a side and z over the bed, over g S0/nu.
 double rectangle_velocity(double width, double depth, double y, double z) {
@@ -185,18 +202,7 @@ double rectangle_mean(double width, double depth) {
 TEST(Section, LaminarFlowBetweenWallsAtRestIsTheSeries) {
     for (const double width : {0.36, 0.08}) {
         for (const Sides sides : {Sides::walls, Sides::half}) {
-            Case c;
-            c.channel.dimensions = 3;
-            c.channel.sides = sides;
-            c.channel.width = width;
-            c.channel.depth = 0.08;
-            c.channel.slope = 0.001;
-            c.bed.kind = BedKind::no_slip;
-            c.bed.roughness_height = 0.0;
-            c.bed.datum_below_crest = 0.0;
-            c.side_walls.drag_form = SideDragForm::none;
-            c.turbulence.closure = ClosureKind::none;
-            c.fluid.kinematic_viscosity = 1e-3;
+            const Case c = laminar_channel(width, sides, 1e-3);
             const SectionResult r = solve_section(c);
             const double scale = c.streamwise_gravity() / c.fluid.kinematic_viscosity;
             const double largest = scale * rectangle_velocity(width, 0.08, 0.5 * width, 0.08);
@@ -219,18 +225,7 @@ TEST(Section, LaminarFlowBetweenWallsAtRestIsTheSeries) {
 // Laminar flow is linear, the first step of the solver exact and the residual after it rounding: whatever the
 // weight that the twin of a discharge asks for, there is a solution.
 TEST(Section, LaminarFlowIsFoundAtAnyWeight) {
-    Case c;
-    c.channel.dimensions = 3;
-    c.channel.sides = Sides::half;
-    c.channel.width = 0.36;
-    c.channel.depth = 0.08;
-    c.channel.slope = 0.001;
-    c.bed.kind = BedKind::no_slip;
-    c.bed.roughness_height = 0.0;
-    c.bed.datum_below_crest = 0.0;
-    c.side_walls.drag_form = SideDragForm::none;
-    c.turbulence.closure = ClosureKind::none;
-    c.fluid.kinematic_viscosity = 2e-5;
+    Case c = laminar_channel(0.36, Sides::half, 2e-5);
     for (double gravity = 0.02; gravity < 20.0; gravity *= 1.31) {
         c.fluid.gravity = gravity;
         const double mean = c.streamwise_gravity() / 2e-5 * rectangle_mean(0.36, 0.08);
