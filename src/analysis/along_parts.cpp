@@ -59,8 +59,16 @@ std::optional<UnitDischarge> unit_discharge(const FlowRecord& record) {
     const double change = trend.slope * static_cast<double>(samples.size() - 1) / width;
     const bool stands_out = std::abs(change) > 2.0 * mean.half_width || !discharge.half_width;
     if (stands_out && std::abs(trend.slope) > trend.half_width) {
-        discharge.half_width.reset();
-        discharge.drift = change / mean.mean;
+        const double share = change / mean.mean;
+        if (std::abs(share) <= c.run.tolerance) {
+            // As steady as the case asks for: the mean is known no better than what it changes by.
+            if (discharge.half_width) {
+                *discharge.half_width = std::max(*discharge.half_width, std::abs(change));
+            }
+        } else {
+            discharge.half_width.reset();
+            discharge.drift = share;
+        }
     }
     return discharge;
 }

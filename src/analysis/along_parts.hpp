@@ -31,8 +31,9 @@ struct LongProfile {
 struct UnitDischarge {
     double mean = 0.0;                 ///< m2/s
     std::optional<double> half_width;  ///< of the 95 % interval, where there is one that can be trusted
-    /// Its change over the window over its mean, where the flow is to be steady and that is more than chance
-    /// and than the interval, which then is none: that of a mean that drifts says nothing of where it goes.
+    /// Its change over the window over its mean, where the flow is to be steady and that is more than chance,
+    /// than the interval and than the case's tolerance; there is no interval then, for that of a mean that
+    /// drifts says nothing of where it goes. A smaller change widens the interval to itself.
     double drift = 0.0;
 };
 

@@ -236,7 +236,7 @@ void add_departure(const Distribution& d, double uniform, const char* key, const
     }
     Finding finding = against(make_finding(chapters::bed, key, what, "1", most), thesis,
                               "thesis, 3D: up to 26 % near the wall");
-    finding.remark = fmt::format("at y = {:.4g} mm{}", 1000.0 * where,
+    finding.remark = fmt::format("at y = {}{}", shown_place(where),
                                  d.of_elements ? ", of means over a period of the spheres" : "");
     analysis.findings.push_back(std::move(finding));
 }

@@ -37,9 +37,17 @@ void add_canal(const FlowRecord& record, const CanalFlow& canal, Analysis& analy
         if (values.size() < 2) return;
         for (double& value : values) value *= factor;
         const MeanEstimate mean = mean_with_confidence(values);
-        analysis.findings.push_back(against(
-            make_finding(chapters::along, key, label, unit, mean.mean, trusted_half_width(mean)), law,
-            "Colebrook and White", fmt::format("hydraulic radius {:.4g} mm", 1e3 * canal.hydraulic_radius)));
+        Finding finding =
+            make_finding(chapters::along, key, label, unit, mean.mean, trusted_half_width(mean));
+        const std::string radius = fmt::format("hydraulic radius {:.4g} mm", 1e3 * canal.hydraulic_radius);
+        if (canal.alone) {
+            finding = against(std::move(finding), law, "Colebrook and White", radius);
+        } else {
+            finding.remark =
+                radius +
+                "; the equation of Colebrook and White knows no stems or stones, and is no reference here";
+        }
+        analysis.findings.push_back(std::move(finding));
     };
     add("canal_velocity", "mean velocity of the canal's water", "m/s",
         within_window(record, fields::time_series.total_mean_velocity), 1.0, canal.velocity);
@@ -73,7 +81,7 @@ void add_extreme(const LongProfile& profile, bool highest, Analysis& analysis) {
         make_finding(chapters::along, highest ? "highest_level" : "lowest_level",
                      highest ? "highest mean level along the channel" : "lowest mean level along the channel",
                      "m", profile.level[at], profile.half_width[at]);
-    finding.remark = fmt::format("above the bed level, at x = {:.4g} mm", 1000.0 * profile.x[at]);
+    finding.remark = fmt::format("above the bed level, at x = {}", shown_place(profile.x[at]));
     if (profile.covered_somewhere()) {
         finding.remark += "; but for where a body lies on the water";
     }
@@ -159,7 +167,7 @@ void compare_with_varied_flow(const FlowRecord& record, const LongProfile& profi
     Finding finding = make_finding(
         chapters::along, "backwater_departure",
         "largest departure of the mean level from steady varied flow, over its depth", "1", most);
-    finding.remark = fmt::format("at x = {:.4g} mm", 1000.0 * at);
+    finding.remark = fmt::format("at x = {}", shown_place(at));
     analysis.findings.push_back(std::move(finding));
 }
 
@@ -316,13 +324,17 @@ void analyse_along(const FlowRecord& record, Analysis& analysis) {
                 " Where a body lies on the water there is no energy line: the pressure there is not that of a level.";
         }
     }
+    if (drowned && !space) {
+        figure.caption +=
+            " A roller lies on the jet at the inflow, where q/h is no velocity: no energy line is drawn.";
+    }
     analysis.figures.push_back(std::move(figure));
     if (!changing) {
         add_extreme(profile, true, analysis);
         add_extreme(profile, false, analysis);
     }
     if (heads) add_velocity(profile, *heads, analysis);
-    if (steady > 0.0 && !changing && !drowned) add_pools(record, profile, steady, analysis);
+    if (steady > 0.0 && !changing) add_pools(record, profile, steady, analysis);
     add_flood_passage(record, analysis);
     add_tailwater_passage(record, analysis);
     if (c.channel.ends == Ends::open) add_ends(record, analysis);

@@ -97,13 +97,14 @@ void add_walls(const FlowRecord& record, Analysis& analysis) {
     if (!c.has_side_wall_drag()) return;
     const double walls = c.channel.sides == Sides::half ? 1.0 : 2.0;
     const SideWallPartition partition = side_wall_partition(c);
+    const double cell_width = field.y.size() > 1 ? field.cell_width() : c.channel.simulated_width();
     const double scale = c.fluid.density * c.streamwise_gravity() * c.total_depth();
     const SectionEstimator stress = [&](const FieldSums& section) {
         std::vector<double> values(field.z.size(), 0.0);
         for (std::size_t iz = 0; iz < field.z.size(); ++iz) {
             for (std::size_t iy = 0; iy < field.y.size(); ++iy) {
                 const double force = section.mean(FieldQuantity::side_wall_drag, field.at(iz, iy));
-                if (std::isfinite(force)) values[iz] += std::abs(force) * field.cell_width() / walls;
+                if (std::isfinite(force)) values[iz] += std::abs(force) * cell_width / walls;
             }
         }
         return values;

@@ -220,8 +220,8 @@ void add_velocity_lines(const FlowRecord& record, Analysis& analysis) {
         if (!upright || probe.time.size() < 2) continue;
         Figure figure = make_figure(
             chapters::course, "velocity_lines", "Velocity over the depth at times",
-            fmt::format("Streamwise velocity at the points of {}, x = {:.4g} mm, at evenly spaced times.",
-                        probe.name, 1000.0 * probe.x.front()),
+            fmt::format("Streamwise velocity at the points of {}, x = {}, at evenly spaced times.",
+                        probe.name, shown_place(probe.x.front())),
             "", make_axis("streamwise velocity u", "m/s"), make_axis("height above the bed level z", "m"));
         constexpr std::size_t lines = 6;
         int variant = 0;

@@ -135,7 +135,7 @@ void add_shares(const FlowRecord& record, const Figure& frame, Analysis& analysi
     if (drive.half_width) *drive.half_width /= area;
     analysis.findings.push_back(std::move(drive));
     const auto share = [&](const std::string& key, const std::string& label, const std::vector<double>& power,
-                           const char* remark = "") {
+                           const std::string& remark = {}) {
         const MeanEstimate mean = mean_with_confidence(power);
         Finding finding =
             make_finding(chapters::energy, "energy_share_" + key, label + " over the energy input", "1",
@@ -181,10 +181,13 @@ void add_shares(const FlowRecord& record, const Figure& frame, Analysis& analysi
     const std::vector<double> all = budget.sum(rows, false);
     for (std::size_t i = 0; i < rows; ++i) scheme[i] -= all[i];
     if (open) {
-        share(
-            "residual", "what the budget leaves open", scheme,
-            "the change of the energy less all other parts: time stepping, and what the sections at the ends "
-            "miss, whose fluxes are far larger than their difference");
+        const Numerics& numerics = record.flow()->numerics;
+        const bool damped = numerics.impact_dissipation > 0.0 || numerics.acoustic_damping > 0.0;
+        share("residual", "what the budget leaves open", scheme,
+              fmt::format(
+                  "the change of the energy less all other parts: {}time stepping, and what the sections "
+                  "at the ends miss, whose fluxes are far larger than their difference",
+                  damped ? "what numerics.impact_dissipation and acoustic_damping take, " : ""));
         return;
     }
     share("stepping", "time stepping, filters and spray", scheme,

@@ -122,10 +122,12 @@ void add_survival(const FlowRecord& record, const Setting& s, Analysis& analysis
     }
     analysis.figures.push_back(std::move(figure));
 
-    Finding lasts = over_velocity(
-        s, "secondary_lasting_rms", "rms of the secondary flow that lasts over the windows, over U", lasting,
-        // Not told from zero: the interval reaches down to it.
-        persistent.value > persistent.half_width ? bound - lasting : std::max(lasting, bound - lasting));
+    Finding lasts = over_velocity(s, "secondary_lasting_rms",
+                                  "rms of the secondary flow that lasts over the windows, over U", lasting,
+                                  // Not told from zero: the interval reaches down to it.
+                                  persistent.value > persistent.half_width ? bound - lasting
+                                  : std::isfinite(bound) ? std::max(lasting, bound - lasting)
+                                                         : std::numeric_limits<double>::infinity());
     lasts.remark = verdict_of(persistent, bound / s.velocity);
     analysis.findings.push_back(std::move(lasts));
     Finding left = over_velocity(

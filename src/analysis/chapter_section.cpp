@@ -138,8 +138,9 @@ void add_findings(const FlowRecord& record, Analysis& analysis) {
                 reference, "section twin"));
     const Strip strip = centreline_strip(c);
     const Estimate centre = section_estimate(field, [&](const FieldSums& section) {
-        return mean_above_datum(
-            c, field.z, strip_of(field, section, strip.from, strip.to).means(FieldQuantity::velocity));
+        const FieldSums middle = strip_of(field, section, strip.from, strip.to);
+        return mean_above_datum(c, field.z, middle.means(FieldQuantity::velocity),
+                                middle.means(FieldQuantity::count));
     });
     Finding finding =
         against(make_finding(chapters::section, "centreline_depth_mean_velocity",

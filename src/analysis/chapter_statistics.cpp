@@ -149,11 +149,15 @@ void add_stationarity(const WindowRecord& window, double tolerance, Analysis& an
     try {
         const Stationarity test = stationarity(window.values);
         const MeanEstimate mean = mean_with_confidence(window.values);
-        Finding drift =
-            against(make_finding(chapters::statistics, window.prefix + "_drift",
-                                 fmt::format("change of {} over the window by its trend", window.symbol),
-                                 window.unit, test.drift.value, test.drift.half_width),
-                    0.0, "steady flow");
+        // Of few independent samples the time scale itself is not known, and with it no chance: steady
+        // records of two or three have p < 0.05 one time in four.
+        const bool enough = mean.effective_samples >= fewest_effective_samples;
+        const double rare = enough ? 0.05 : 1e-4;
+        Finding drift = against(
+            make_finding(chapters::statistics, window.prefix + "_drift",
+                         fmt::format("change of {} over the window by its trend", window.symbol), window.unit,
+                         test.drift.value, enough ? std::optional(test.drift.half_width) : std::nullopt),
+            0.0, "steady flow");
         drift.remark = fmt::format("{:.2g} of the mean; chance p of such a trend in a steady record {}",
                                    test.drift.value / mean.mean, p_value_text(test.trend_p_value));
         analysis.findings.push_back(std::move(drift));
@@ -167,13 +171,11 @@ void add_stationarity(const WindowRecord& window, double tolerance, Analysis& an
                                           "tests of blocks",
                                           test.block_count, test.block_count == 1 ? "" : "s");
         steady.remark += test.p_value < least_p_value ? ": p " + p_value_text(test.p_value) : "";
-        steady.remark += test.p_value < 0.05 ? ": not steady (below 0.05)"
-                         : mean.effective_samples < fewest_effective_samples
-                             ? ": too few independent samples to tell whether it is steady"
-                             : ": nothing speaks against steadiness";
+        steady.remark += test.p_value < rare ? fmt::format(": not steady (below {:g})", rare)
+                         : !enough           ? ": too few independent samples to tell whether it is steady"
+                                             : ": nothing speaks against steadiness";
         const double relative = std::abs(test.drift.value / mean.mean);
-        if (test.p_value < 0.05 && relative < tolerance &&
-            mean.effective_samples >= fewest_effective_samples) {
+        if (test.p_value < rare && relative < tolerance && enough) {
             steady.remark += fmt::format(
                 "; the drift of {:.2g} % of the mean is below run.tolerance = {:.2g} %, so the flow still "
                 "counts as converged",
@@ -235,9 +237,16 @@ void add_window_findings(const FlowRecord& record, const MeanEstimate& mean,
     Finding growth =
         make_finding(chapters::statistics, "velocity_fluctuation_growth",
                      "growth of the velocity fluctuation over the window, by the trend of its logarithm", "1",
-                     factor - 1.0, factor * (1.0 - std::exp(-trend.half_width * steps)));
+                     factor - 1.0);
+    const double least = factor * std::exp(-trend.half_width * steps) - 1.0;
     growth.remark = "0: a flow that has come to its lasting state";
+    if (std::isfinite(least)) {
+        growth.remark += fmt::format("; 95 % interval {:.3g} to {:.3g}", least,
+                                     factor * std::exp(trend.half_width * steps) - 1.0);
+    }
     analysis.findings.push_back(std::move(growth));
+    analysis.findings.push_back(make_finding(chapters::statistics, "velocity_fluctuation_growth_least",
+                                             "the least of that growth by its interval", "1", least));
 }
 
 void add_means(const FlowRecord& record, Analysis& analysis) {

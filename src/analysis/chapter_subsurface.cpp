@@ -42,9 +42,9 @@ std::vector<VelocityInstrument> instruments_of(const FlowRecord& record, Analysi
         if (each.points.empty()) continue;
         if (each.points.size() < all.size()) {
             analysis.warnings.push_back(
-                fmt::format("instrument {}: {} of its {} points stand at x = {:.4g} mm and are analysed as a "
+                fmt::format("instrument {}: {} of its {} points stand at x = {} and are analysed as a "
                             "profile, the others are left out",
-                            probe.name, each.points.size(), all.size(), 1000.0 * each.points.front().x));
+                            probe.name, each.points.size(), all.size(), shown_place(each.points.front().x)));
         }
         result.push_back(std::move(each));
     }

@@ -37,6 +37,7 @@ std::string flatness_remark(const Case& c) {
         case ClosureKind::czernuszenko_rylov:
         case ClosureKind::wale:
         case ClosureKind::vreman:
+        case ClosureKind::smagorinsky:
             break;
     }
     return "the mixing-length closure averages turbulence out and keeps its mean stress only, so that no "
@@ -235,7 +236,10 @@ void add_probe_deviations(const std::vector<SurfaceStation>& stations, const Flo
             chapters::surface,
             i == 0 ? "surface_standard_deviation" : fmt::format("surface_standard_deviation_{}", i + 1),
             "standard deviation of the surface elevation, " + stations[i].name, "m",
-            m.standard_deviation.value, m.standard_deviation.half_width);
+            m.standard_deviation.value,
+            m.effective_of_variance >= fewest_effective_samples
+                ? std::optional(m.standard_deviation.half_width)
+                : std::nullopt);
         if (record.flow() != nullptr) {
             finding = against(std::move(finding), record.flow()->measured.surface_standard_deviation,
                               measured_name(*record.flow()));

@@ -67,10 +67,11 @@ std::vector<double> scaled(std::vector<double> values, double factor) {
     return values;
 }
 
+/// By its magnitude; NaN of none.
 double largest_of(const std::vector<double>& values) {
-    double largest = 0.0;
+    double largest = not_a_number;
     for (const double value : values) {
-        if (std::isfinite(value) && std::abs(value) > std::abs(largest)) largest = value;
+        if (std::isfinite(value) && !(std::abs(value) <= std::abs(largest))) largest = value;
     }
     return largest;
 }

@@ -4,6 +4,8 @@
 #include <string>
 #include <vector>
 
+#include "record/numbers.hpp"
+
 namespace riffle::inline analysis {
 
 /// Where the numbers of a curve come from; the report gives each origin one look throughout.
@@ -83,12 +85,20 @@ struct Finding {
 };
 
 /// All that was found in one results file or laboratory record.
+/// The window that was asked for in place of the run's own, and the run's summary over it.
+struct AskedWindow {
+    double from = 0.0;  ///< s
+    double to = 0.0;    ///< s
+    Numbers summary;
+};
+
 struct Analysis {
     std::string name;    ///< short, for legends: the title or the file's folder
     std::string source;  ///< the file
     std::vector<Finding> findings;
     std::vector<Figure> figures;
     std::vector<std::string> warnings;  ///< what the reader must know, e.g. a record too short
+    std::optional<AskedWindow> asked_window;
 };
 
 }  // namespace riffle::inline analysis

@@ -1,5 +1,7 @@
 #include "analysis/figure_tools.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
@@ -16,6 +18,12 @@ namespace riffle::inline analysis {
 
 std::string measured_name(const Case& c) {
     return c.measured.source.empty() ? measured_in_case : "measured (" + c.measured.source + ")";
+}
+
+std::string shown_place(double metres) {
+    constexpr double long_channel = 9.999;  // what four digits of millimetres hold
+    return std::abs(metres) < long_channel ? fmt::format("{:.4g} mm", 1e3 * metres)
+                                           : fmt::format("{:.4g} m", metres);
 }
 
 Axis make_axis(std::string label, std::string unit, bool logarithmic) {

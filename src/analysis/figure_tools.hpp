@@ -21,6 +21,9 @@ inline constexpr const char* measured_in_case = "measured (case file)";
 /// "measured (SOURCE)" with the source that the case names.
 [[nodiscard]] std::string measured_name(const Case& c);
 
+/// A place or a distance (m) in words: "450 mm", and from ten metres on "12.5 m".
+[[nodiscard]] std::string shown_place(double metres);
+
 [[nodiscard]] Axis make_axis(std::string label, std::string unit, bool logarithmic = false);
 
 /// A figure without curves.

@@ -48,22 +48,24 @@ std::string crest_remark(const Crest& crest, const PassingSection* inflow) {
     return text;
 }
 
-void add_crests(const std::vector<PassingSection>& sections, bool space, Analysis& analysis) {
+/// `stretch`: of the running means, s, which flatten a crest that is not much longer.
+void add_crests(const std::vector<PassingSection>& sections, bool space, double stretch, Analysis& analysis) {
     const PassingSection* const inflow = section_at_end(sections, 1);
     for (std::size_t n = 0; n < sections.size(); ++n) {
         const PassingSection& section = sections[n];
         const std::string place = place_of(section, "at the inflow", "at the outflow", "at ");
         const Crest crest = crest_of(section.time, section.discharge);
-        Finding finding =
-            make_finding(chapters::along, fmt::format("flood_discharge_{}", n + 1),
-                         fmt::format("largest discharge {}{}", space ? "" : "per unit width ", place),
-                         space ? "m3/s" : "m2/s", crest.value);
+        Finding finding = make_finding(chapters::along, fmt::format("flood_discharge_{}", n + 1),
+                                       fmt::format("largest discharge {}{}, mean over {:.2g} s",
+                                                   space ? "" : "per unit width ", place, stretch),
+                                       space ? "m3/s" : "m2/s", crest.value);
         finding.remark = crest_remark(crest, section.end != 1 ? inflow : nullptr);
         analysis.findings.push_back(std::move(finding));
         if (section.depth.empty()) continue;
         const Crest deepest = crest_of(section.time, section.depth);
         Finding depth = make_finding(chapters::along, fmt::format("flood_depth_{}", n + 1),
-                                     fmt::format("largest depth {}", place), "m", deepest.value);
+                                     fmt::format("largest depth {}, mean over {:.2g} s", place, stretch), "m",
+                                     deepest.value);
         depth.remark = "of the water over what it stands on, " + crest_remark(deepest, nullptr);
         analysis.findings.push_back(std::move(depth));
     }
@@ -95,8 +97,9 @@ void add_highest(const FlowRecord& record, Analysis& analysis) {
     if (at == surface.values.size()) return;
     Finding finding = make_finding(chapters::along, "flood_highest_level",
                                    "highest level recorded along the channel", "m", surface.values[at]);
-    finding.remark = fmt::format("above the bed level, at x = {:.4g} mm, t = {:.4g} s",
-                                 1e3 * surface.x(at % surface.columns), surface.times[at / surface.columns]);
+    finding.remark =
+        fmt::format("above the bed level, at x = {}, t = {:.4g} s",
+                    shown_place(surface.x(at % surface.columns)), surface.times[at / surface.columns]);
     analysis.findings.push_back(std::move(finding));
 }
 
@@ -106,7 +109,7 @@ void add_flood_passage(const FlowRecord& record, Analysis& analysis) {
     if (record.flow() == nullptr || !inflow_changes(*record.flow())) return;
     const bool space = record.flow()->channel.dimensions == 3;
     const std::vector<PassingSection> sections = passing_sections(record);
-    add_crests(sections, space, analysis);
+    add_crests(sections, space, passing_stretch(*record.flow()), analysis);
     add_highest(record, analysis);
     add_passage_figures(record, sections, flood_figures, analysis);
 }

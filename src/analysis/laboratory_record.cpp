@@ -7,6 +7,7 @@
 #include <cstddef>
 #include <utility>
 
+#include "analysis/figure_tools.hpp"
 #include "analysis/measured_files.hpp"
 #include "base/error.hpp"
 #include "column/section.hpp"
@@ -164,9 +165,9 @@ struct LaboratoryRecord::Impl {
         }
         if (rows.size() < plane.z.size()) {
             warnings.push_back(
-                fmt::format("vectors are missing at {} of {} heights of the column x = {:.4g} mm; spectra "
+                fmt::format("vectors are missing at {} of {} heights of the column x = {}; spectra "
                             "and quadrants are those of the others",
-                            plane.z.size() - rows.size(), plane.z.size(), 1000.0 * plane.x[middle]));
+                            plane.z.size() - rows.size(), plane.z.size(), shown_place(plane.x[middle])));
         }
         if (rows.empty()) return;
         VelocityProbe probe;

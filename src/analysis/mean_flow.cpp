@@ -156,7 +156,7 @@ Estimate section_estimate(const MeanFlow& field,
     return {found.value.front(), found.half_width.front()};
 }
 
-FieldSums strip_of(const MeanFlow& field, const FieldSums& section, double from, double to) {
+std::vector<std::size_t> columns_of_strip(const MeanFlow& field, double from, double to) {
     const double tolerance = 1e-6 * field.cell_width();
     std::vector<std::size_t> places;
     std::size_t nearest = 0;
@@ -166,6 +166,11 @@ FieldSums strip_of(const MeanFlow& field, const FieldSums& section, double from,
         if (std::abs(field.y[iy] - middle) < std::abs(field.y[nearest] - middle)) nearest = iy;
     }
     if (places.empty()) places.push_back(nearest);
+    return places;
+}
+
+FieldSums strip_of(const MeanFlow& field, const FieldSums& section, double from, double to) {
+    const std::vector<std::size_t> places = columns_of_strip(field, from, to);
     FieldSums strip(field.z.size());
     for (std::size_t iz = 0; iz < field.z.size(); ++iz) {
         for (const std::size_t iy : places) strip.add(iz, section, field.at(iz, iy));

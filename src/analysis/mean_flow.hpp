@@ -115,6 +115,10 @@ using SectionEstimator = std::function<std::vector<double>(const FieldSums& sect
 [[nodiscard]] Estimate section_estimate(const MeanFlow& field,
                                         const std::function<double(const FieldSums& section)>& estimator);
 
+/// The columns of cells across the channel between two places, m; where none has its middle there, the
+/// nearest.
+[[nodiscard]] std::vector<std::size_t> columns_of_strip(const MeanFlow& field, double from, double to);
+
 /// Sums of the cells of a section between two places across the channel, over the width: one per height.
 /// The cells whose centres lie there; the nearest one where none does.
 [[nodiscard]] FieldSums strip_of(const MeanFlow& field, const FieldSums& section, double from, double to);

@@ -71,7 +71,7 @@ std::string place_of(const PassingSection& section, const char* inflow, const ch
                      const char* along) {
     return section.end == 1   ? inflow
            : section.end == 2 ? outflow
-                              : fmt::format("{}x = {:.4g} mm", along, 1e3 * section.x);
+                              : fmt::format("{}x = {}", along, shown_place(section.x));
 }
 
 void add_passage_figures(const FlowRecord& record, const std::vector<PassingSection>& sections,

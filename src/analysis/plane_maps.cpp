@@ -23,9 +23,9 @@ namespace {
 VelocityGrid centreline_plane(const MeanFlow& field, const Case& c) {
     const Strip strip = centreline_strip(c);
     FieldSums sums(field.x.size() * field.z.size());
+    const std::vector<std::size_t> columns = columns_of_strip(field, strip.from, strip.to);
     for (std::size_t iz = 0; iz < field.z.size(); ++iz) {
-        for (std::size_t iy = 0; iy < field.y.size(); ++iy) {
-            if (field.y[iy] < strip.from || field.y[iy] > strip.to) continue;
+        for (const std::size_t iy : columns) {
             for (std::size_t ix = 0; ix < field.x.size(); ++ix) {
                 sums.add(iz * field.x.size() + ix, field.box, field.at(iz, iy, ix));
             }
@@ -203,7 +203,7 @@ void add_plane_maps(const FlowRecord& record, Analysis& analysis) {
     if (!record.velocity_grids().empty()) {
         grid = record.velocity_grids().front();
         grid.name = "grid " + grid.name;
-        if (grid.y) grid.name += fmt::format(" at y = {:.4g} mm", 1000.0 * *grid.y);
+        if (grid.y) grid.name += fmt::format(" at y = {}", shown_place(*grid.y));
     } else if (is_three_dimensional(record) && !record.mean_field().empty()) {
         grid = centreline_plane(record.mean_field(), *record.flow());
     } else {

@@ -3,9 +3,11 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <limits>
 
 #include "base/error.hpp"
 #include "statistics/autocorrelation.hpp"
+#include "statistics/confidence.hpp"
 
 namespace riffle::inline analysis {
 
@@ -19,6 +21,14 @@ double integral_samples(const std::vector<double>& record) {
     } catch (const InputError&) {
         return 0.0;
     }
+}
+
+/// Without an interval where too few independent samples tell it.
+Estimate known(Estimate estimate, double effective_samples) {
+    if (effective_samples < fewest_effective_samples) {
+        estimate.half_width = std::numeric_limits<double>::infinity();
+    }
+    return estimate;
 }
 
 }  // namespace
@@ -43,9 +53,9 @@ std::vector<ProbePointStatistics> probe_point_statistics(const VelocityProbe& pr
         point.z = probe.z[i];
         point.samples = there;
         const Moments of_u = moments(u);
-        point.u = of_u.mean;
-        point.u_rms = of_u.standard_deviation;
-        point.u_skewness = of_u.skewness;
+        point.u = known(of_u.mean, of_u.effective_samples);
+        point.u_rms = known(of_u.standard_deviation, of_u.effective_samples);
+        point.u_skewness = known(of_u.skewness, of_u.effective_samples);
         point.integral_time = integral_samples(u) * interval;
         point.integral_length = point.integral_time * std::abs(point.u.value);
         if (!probe.w.empty()) {
@@ -54,10 +64,11 @@ std::vector<ProbePointStatistics> probe_point_statistics(const VelocityProbe& pr
                 std::count_if(w.begin(), w.end(), [](double value) { return std::isfinite(value); });
             if (w_there >= 2) {
                 const Moments of_w = moments(w);
-                point.w = of_w.mean;
-                point.w_rms = of_w.standard_deviation;
-                point.w_skewness = of_w.skewness;
-                point.uw = covariance(u, w).covariance;
+                point.w = known(of_w.mean, of_w.effective_samples);
+                point.w_rms = known(of_w.standard_deviation, of_w.effective_samples);
+                point.w_skewness = known(of_w.skewness, of_w.effective_samples);
+                const Covariance of_both = covariance(u, w);
+                point.uw = known(of_both.covariance, of_both.effective_samples);
             }
         }
         if (!probe.v.empty()) {
@@ -66,8 +77,8 @@ std::vector<ProbePointStatistics> probe_point_statistics(const VelocityProbe& pr
                 std::count_if(v.begin(), v.end(), [](double value) { return std::isfinite(value); });
             if (v_there >= 2) {
                 const Moments of_v = moments(v);
-                point.v = of_v.mean;
-                point.v_rms = of_v.standard_deviation;
+                point.v = known(of_v.mean, of_v.effective_samples);
+                point.v_rms = known(of_v.standard_deviation, of_v.effective_samples);
             }
         }
         result.push_back(point);

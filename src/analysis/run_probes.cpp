@@ -7,6 +7,7 @@
 #include <cmath>
 #include <utility>
 
+#include "analysis/figure_tools.hpp"
 #include "base/error.hpp"
 #include "base/not_a_number.hpp"
 #include "record/probe_fields.hpp"
@@ -98,9 +99,8 @@ void read_wave(const ProbeGroup& group, RunProbes& probes) {
     const std::vector<double> elevation = group.rows(fields::elevations.elevation, x.size());
     for (std::size_t i = 0; i < x.size(); ++i) {
         ElevationProbe probe;
-        probe.name =
-            x.size() == 1 ? group.name() : fmt::format("{} x = {:.4g} mm", group.name(), 1000 * x[i]);
-        if (places_across) probe.name += fmt::format(", y = {:.4g} mm", 1000 * y[i]);
+        probe.name = x.size() == 1 ? group.name() : fmt::format("{} x = {}", group.name(), shown_place(x[i]));
+        if (places_across) probe.name += fmt::format(", y = {}", shown_place(y[i]));
         probe.x = x[i];
         if (!y.empty()) probe.y = y[std::min(i, y.size() - 1)];
         probe.time = group.time();
@@ -115,9 +115,9 @@ void read_surface_line(const ProbeGroup& group, const Case& c, RunProbes& probes
     if (c.channel.dimensions == 3 && !y.empty() &&
         std::abs(y.front() - c.channel.centreline()) > c.numerics.spacing) {
         probes.warnings.push_back(
-            fmt::format("surface line {}: it lies at y = {:.4g} mm, beside the "
+            fmt::format("surface line {}: it lies at y = {}, beside the "
                         "centreline, and is not analysed",
-                        group.name(), 1000.0 * y.front()));
+                        group.name(), shown_place(y.front())));
         return;
     }
     if (x.size() <= probes.surface_line.columns || group.time().size() < 2) return;
@@ -145,11 +145,20 @@ void read_velocity(const ProbeGroup& group, RunProbes& probes) {
 /// Means over the averaging windows of a grid, each counting as often as it has samples: the variance in time
 /// is the mean variance within the windows and the variance of their means.
 /// A row stands for the time up to its own: the first counts only where it began within the window.
-void read_grid(const ProbeGroup& group, const TimeWindow& window, RunProbes& probes) {
+void read_grid(const ProbeGroup& group, const Case& c, const TimeWindow& window, RunProbes& probes) {
     const std::vector<double>& time = group.time();
-    const double averaging = time.size() > 1 ? time[1] - time[0] : 0.0;
-    const std::size_t first_row =
-        time.size() > 1 && time[0] - averaging < window.from - 1e-3 * averaging ? 1 : 0;
+    const auto own = std::find_if(c.probes.begin(), c.probes.end(),
+                                  [&](const Probe& probe) { return probe.name == group.name(); });
+    const double averaging = time.size() > 1         ? time[1] - time[0]
+                             : own != c.probes.end() ? own->averaging_time
+                                                     : 0.0;
+    const std::size_t first_row = time[0] - averaging < window.from - 1e-3 * averaging ? 1 : 0;
+    if (first_row >= time.size()) {
+        probes.warnings.push_back(fmt::format(
+            "instrument {}: its only mean of the window began {:.3g} s before it, and is left out",
+            group.name(), window.from - (time[0] - averaging)));
+        return;
+    }
     const auto& of = fields::velocity_grid;
     VelocityGrid grid;
     grid.name = group.name();
@@ -236,7 +245,7 @@ void read_scalars(const RunResults& results, const ProbeGroup& group, const std:
             probe.kind = kind;
             probe.quantity = points == 1 ? array : fmt::format("{}_{}", array, i + 1);
             probe.label = results.long_name(place);
-            if (!x.empty()) probe.label += fmt::format(", x = {:.4g} mm", 1000.0 * x[i]);
+            if (!x.empty()) probe.label += fmt::format(", x = {}", shown_place(x[i]));
             probe.unit = results.unit(place);
             probe.time = group.time();
             probe.value = group.of_point(values, points, i);
@@ -254,9 +263,9 @@ void read_gauges(const ProbeGroup& group, RunProbes& probes) {
     const std::size_t points = std::max({x.size(), y.size(), z.size()});
     const std::vector<double> pressure = group.rows(of.pressure, points);
     const auto place = [](const char* axis, const std::vector<double>& values, std::size_t point) {
-        return values.empty() ? std::string()
-                              : fmt::format(", {} = {:.4g} mm", axis,
-                                            1000.0 * values[std::min(point, values.size() - 1)]);
+        return values.empty()
+                   ? std::string()
+                   : fmt::format(", {} = {}", axis, shown_place(values[std::min(point, values.size() - 1)]));
     };
     for (std::size_t i = 0; i < points && !pressure.empty(); ++i) {
         ScalarProbe probe;
@@ -302,7 +311,7 @@ RunProbes read_probes(const RunResults& results, const Case& c, const TimeWindow
         } else if (kind == "grid" && !results.has({place, fields::velocity_grid.samples})) {
             read_plane(group, c, probes);
         } else if (kind == "grid") {
-            read_grid(group, window, probes);
+            read_grid(group, c, window, probes);
         } else if (kind == "flow_rate" || kind == "force") {
             read_scalars(results, group, kind, probes);
         } else if (kind == "pressure") {

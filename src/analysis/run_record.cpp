@@ -9,6 +9,7 @@
 #include <system_error>
 #include <utility>
 
+#include "analysis/even_series.hpp"
 #include "analysis/measured_files.hpp"
 #include "analysis/run_mean_field.hpp"
 #include "analysis/run_probes.hpp"
@@ -26,6 +27,7 @@ struct RunRecord::Impl {
         : path(file), options(std::move(given)), results(file), flow(results.flow()) {
         if (has_column(flow)) column = solve_column(flow);
         series = results.series();
+        if (const auto thinned = make_even(series)) warnings.push_back(*thinned);
         window = choose_window();
         // Whatever the analysis makes of them: files named on the command line must be there.
         if (!options.measured.empty()) measured = read_measured();

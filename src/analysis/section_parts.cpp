@@ -83,6 +83,7 @@ SectionProfile centreline_velocity_profile(const FlowRecord& record) {
 }
 
 double velocity_at_centreline(const FlowRecord& record) {
+    if (record.flow() != nullptr && record.flow()->channel.ends == Ends::walls) return 0.0;
     if (between_side_walls(record)) {
         const std::vector<double> velocity = within_window(record, fields::time_series.centreline_velocity);
         if (!velocity.empty()) return mean_of(velocity);
@@ -96,6 +97,7 @@ const char* depth_mean_name(const FlowRecord& record) {
 }
 
 double surface_velocity_at_centreline(const FlowRecord& record) {
+    if (record.flow() != nullptr && record.flow()->channel.ends == Ends::walls) return 0.0;
     if (!between_side_walls(record)) return surface_velocity(record);
     // As of profiles: 0 where the level varies along the channel.
     if (surface_velocity(record) == 0.0) return 0.0;
@@ -108,14 +110,15 @@ double velocity_of_patterns(const FlowRecord& record) {
     return of_surface > 0.0 ? of_surface : velocity_at_centreline(record);
 }
 
-double mean_above_datum(const Case& c, const std::vector<double>& z, const std::vector<double>& values) {
+double mean_above_datum(const Case& c, const std::vector<double>& z, const std::vector<double>& values,
+                        const std::vector<double>& water) {
     const double height = z.size() > 1 ? (z.back() - z.front()) / static_cast<double>(z.size() - 1) : 0.0;
     double sum = 0.0;
     double weight = 0.0;
     for (std::size_t i = 0; i < z.size(); ++i) {
-        if (!std::isfinite(values[i])) continue;
-        // The part of the cell that lies above the datum.
-        const double part = std::clamp((z[i] + 0.5 * height - c.datum()) / height, 0.0, 1.0);
+        if (!std::isfinite(values[i]) || !(water[i] > 0.0)) continue;
+        // The part of the cell that lies above the datum, as far as it is full.
+        const double part = water[i] * std::clamp((z[i] + 0.5 * height - c.datum()) / height, 0.0, 1.0);
         sum += part * values[i];
         weight += part;
     }

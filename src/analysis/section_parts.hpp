@@ -59,24 +59,25 @@ struct SectionProfile {
 [[nodiscard]] SectionProfile centreline_velocity_profile(const FlowRecord& record);
 
 /// Depth-mean velocity of the water along the centreline, where surfaces and planes are recorded, m/s: that
-/// of the strip around it between side walls, else bulk_velocity().
+/// of the strip around it between side walls, else bulk_velocity(). 0 between end walls, where the water goes
+/// to and fro and no stream carries anything along.
 [[nodiscard]] double velocity_at_centreline(const FlowRecord& record);
 
 /// What velocity_at_centreline() is called: "depth-mean velocity U", between side walls that around the
 /// centreline.
 [[nodiscard]] const char* depth_mean_name(const FlowRecord& record);
 
-/// So of the water at the surface; without a mean field, between side walls, 0.
+/// So of the water at the surface; without a mean field, between side walls, 0; and between end walls.
 [[nodiscard]] double surface_velocity_at_centreline(const FlowRecord& record);
 
 /// Velocity that the patterns of the surface travel with, m/s: that of the water at the surface, the depth
 /// mean where it is not known.
 [[nodiscard]] double velocity_of_patterns(const FlowRecord& record);
 
-/// Mean over the water above the datum and below the surface of a profile on these heights; not-a-number
-/// where it has no value there.
+/// Mean over the water above the datum and below the surface of a profile on these heights, of cells with so
+/// much water in each (in any unit); not-a-number where it has no value there.
 [[nodiscard]] double mean_above_datum(const Case& c, const std::vector<double>& z,
-                                      const std::vector<double>& values);
+                                      const std::vector<double>& values, const std::vector<double>& water);
 
 /// A profile of the section twin at the place y, linear between its cells.
 [[nodiscard]] std::vector<double> twin_profile(const SectionTwin& twin, const std::vector<double>& values,

@@ -169,13 +169,18 @@ void add_centreline(const FlowRecord& record, Analysis& analysis) {
     analysis.figures.push_back(std::move(stress));
 }
 
-/// Depth means above the datum across the channel of values on the cells of a section.
-std::vector<double> depth_means(const MeanFlow& field, const Case& c, const std::vector<double>& values) {
+/// Depth means above the datum across the channel of values on the cells of a section, by the water in them.
+std::vector<double> depth_means(const MeanFlow& field, const Case& c, const FieldSums& section,
+                                const std::vector<double>& values) {
     std::vector<double> means(field.y.size());
     std::vector<double> profile(field.z.size());
+    std::vector<double> water(field.z.size());
     for (std::size_t iy = 0; iy < field.y.size(); ++iy) {
-        for (std::size_t iz = 0; iz < field.z.size(); ++iz) profile[iz] = values[field.at(iz, iy)];
-        means[iy] = mean_above_datum(c, field.z, profile);
+        for (std::size_t iz = 0; iz < field.z.size(); ++iz) {
+            profile[iz] = values[field.at(iz, iy)];
+            water[iz] = section.mean(FieldQuantity::count, field.at(iz, iy));
+        }
+        means[iy] = mean_above_datum(c, field.z, profile, water);
     }
     return means;
 }
@@ -184,7 +189,7 @@ void add_lateral(const FlowRecord& record, Analysis& analysis) {
     const MeanFlow& field = record.mean_field();
     const Case& c = *record.flow();
     const FieldEstimates found = section_estimates(field, [&](const FieldSums& section) {
-        return depth_means(field, c, section.means(FieldQuantity::velocity));
+        return depth_means(field, c, section, section.means(FieldQuantity::velocity));
     });
     Figure figure = make_figure(
         chapters::section, "lateral_velocity", "Depth-mean velocity across the channel",
@@ -206,7 +211,7 @@ void add_lateral(const FlowRecord& record, Analysis& analysis) {
                 }
             }
         }
-        const std::vector<double> beside = depth_means(field, c, values);
+        const std::vector<double> beside = depth_means(field, c, section, values);
         figure.curves.push_back(make_curve("section twin", Origin::column, Mark::line, field.y, beside));
         const double layer = c.side_layer();
         double squares = 0.0;

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numeric>
 
 #include "base/error.hpp"
@@ -204,7 +205,9 @@ DeviationEstimate standard_deviation(const SpaceTime& fluctuation) {
     DeviationEstimate result;
     result.value = std::sqrt(variance.mean);
     if (!(variance.mean > 0.0)) return result;
-    result.half_width = variance.half_width / (2.0 * result.value);
+    result.half_width = variance.effective_samples >= fewest_effective_samples
+                            ? variance.half_width / (2.0 * result.value)
+                            : std::numeric_limits<double>::infinity();
     const double error =
         variance.standard_deviation * variance.standard_deviation / variance.effective_samples;
     result.effective_samples = 2.0 * variance.mean * variance.mean / error;

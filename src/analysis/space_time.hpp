@@ -85,7 +85,7 @@ struct FluctuationOptions {
 /// A standard deviation with its uncertainty.
 struct DeviationEstimate {
     double value = 0.0;
-    double half_width = 0.0;  ///< of the 95 % interval
+    double half_width = 0.0;  ///< of the 95 % interval; infinite from too few independent times
     /// Number of independent Gaussian samples that would know the variance as well: 2 variance^2 over the
     /// variance of the estimate.
     double effective_samples = 0.0;

@@ -133,9 +133,9 @@ std::vector<SurfaceStation> stations_of_probes(const FlowRecord& record, std::ve
         const Case* const flow = record.flow();
         if (flow != nullptr && flow->channel.dimensions == 3 && probe.y &&
             std::abs(*probe.y - flow->channel.centreline()) > flow->numerics.spacing) {
-            left_out(probe, fmt::format("it stands at y = {:.4g} mm, beside the centreline along which "
+            left_out(probe, fmt::format("it stands at y = {}, beside the centreline along which "
                                         "places are compared",
-                                        1000.0 * *probe.y));
+                                        shown_place(*probe.y)));
             continue;
         }
         const auto same = std::find_if(stations.begin(), stations.end(), [&](const SurfaceStation& station) {
@@ -194,7 +194,7 @@ std::vector<SurfaceStation> stations_of_line(const SpaceTime& line,
     }
     const double interval = sampling_interval(line);
     for (const std::size_t column : columns) {
-        SurfaceStation station{fmt::format("x = {:.4g} mm", 1000.0 * line.x(column)), line.x(column),
+        SurfaceStation station{fmt::format("x = {}", shown_place(line.x(column))), line.x(column),
                                line.times.front(), interval, line.record(column)};
         if (!std::all_of(station.elevation.begin(), station.elevation.end(),
                          [](double value) { return std::isfinite(value); })) {
@@ -222,11 +222,17 @@ void add_station_spectra(const FlowRecord& record, const std::vector<SurfaceStat
                 spectrum_curve(stations[i].name, record.origin(), spectrum.smooth, static_cast<int>(i)));
             if (i > 0) continue;
             const PowerSpectrum& fine = spectrum.fine;
-            if (fine.frequency.size() > 2) {
+            const double peak = peak_frequency(fine);
+            if (fine.frequency.size() > 2 && peak <= fine.frequency[1]) {
+                analysis.warnings.push_back(fmt::format(
+                    "the spectrum of the surface is highest at its lowest frequency, {:.3g} Hz, of waves as long as an "
+                    "eighth of the record: a longer record tells the frequency",
+                    peak));
+            } else if (fine.frequency.size() > 2) {
                 Finding finding =
                     make_finding(chapters::surface, "surface_peak_frequency",
-                                 "frequency of the highest spectral density, " + stations[i].name, "Hz",
-                                 peak_frequency(fine), 0.5 * fine.resolution);
+                                 "frequency of the highest spectral density, " + stations[i].name, "Hz", peak,
+                                 0.5 * fine.resolution);
                 finding.remark = "half-width: half the resolution of the spectrum";
                 analysis.findings.push_back(std::move(finding));
             }
@@ -262,10 +268,10 @@ void add_station_correlations(const FlowRecord& record, const std::vector<Surfac
                 std::span(first.elevation).first(samples), std::span(other.elevation).first(samples),
                 first.interval, std::clamp<std::size_t>(lags, 1, samples - 1));
             const int variant = static_cast<int>(i) - 1;
-            f.curves.push_back(make_curve(fmt::format("{:.4g} mm apart", 1000.0 * distance), record.origin(),
+            f.curves.push_back(make_curve(fmt::format("{} apart", shown_place(distance)), record.origin(),
                                           Mark::line, correlation.lag, correlation.correlation, variant));
             const std::vector<CorrelationExtreme> extremes = correlation_extremes(correlation);
-            Curve points = make_curve(fmt::format("extremes, {:.4g} mm", 1000.0 * distance), record.origin(),
+            Curve points = make_curve(fmt::format("extremes, {}", shown_place(distance)), record.origin(),
                                       Mark::points, {}, {}, variant);
             for (const CorrelationExtreme& extreme : extremes) {
                 if (!extreme.significant) continue;
@@ -275,22 +281,22 @@ void add_station_correlations(const FlowRecord& record, const std::vector<Surfac
             if (!points.x.empty()) f.curves.push_back(std::move(points));
             if (velocity > 0.0 && distance > 0.0) {
                 f.curves.push_back(
-                    make_curve(fmt::format("x/U, {:.4g} mm", 1000.0 * distance), Origin::reference,
-                               Mark::line, {distance / velocity, distance / velocity}, {-1.0, 1.0}, variant));
+                    make_curve(fmt::format("x/U, {}", shown_place(distance)), Origin::reference, Mark::line,
+                               {distance / velocity, distance / velocity}, {-1.0, 1.0}, variant));
             }
             if (!(distance > 0.0) || flat) continue;
             const CorrelationExtreme* const best = arrival(extremes, distance, velocity);
             if (best == nullptr) continue;
             if (may_be_chance(correlation, *best, samples, distance, velocity)) {
                 analysis.warnings.push_back(fmt::format(
-                    "celerity from the lag between places {:.4g} mm apart: left out, unrelated records have an "
+                    "celerity from the lag between places {} apart: left out, unrelated records have an "
                     "extreme of R = {:.3g} by chance",
-                    1000.0 * distance, best->correlation));
+                    shown_place(distance), best->correlation));
                 continue;
             }
             Finding finding = make_finding(
                 chapters::surface, fmt::format("celerity_between_places_{}", i),
-                fmt::format("celerity from the lag between places {:.4g} mm apart", 1000.0 * distance), "m/s",
+                fmt::format("celerity from the lag between places {} apart", shown_place(distance)), "m/s",
                 distance / best->lag);
             if (velocity > 0.0) finding = against(std::move(finding), velocity, depth_mean_name(record));
             finding.remark = fmt::format("extreme R = {:.3g} at {:.4g} s", best->correlation, best->lag);

@@ -49,14 +49,15 @@ void add_dispersion(const FlowRecord& record, const WaveSpectrum& spectrum, Figu
     Curve up = make_curve("waves travelling upstream", Origin::theory, Mark::line, {}, {}, 1);
     constexpr int steps = 200;
     std::vector<Curve> carried;
-    std::vector<double> speeds = {velocity_at_centreline(record)};
-    const double of_surface = surface_velocity_at_centreline(record);
-    if (of_surface > 0.0) speeds.push_back(of_surface);
-    for (std::size_t i = 0; i < speeds.size(); ++i) {
+    std::vector<double> speeds;
+    const auto carry = [&](const char* name, double speed) {
+        if (!(speed > 0.0)) return;
         carried.push_back(
-            make_curve(i == 0 ? "advection line omega = U k" : "velocity of the surface omega = u_s k",
-                       Origin::reference, Mark::line, {}, {}, static_cast<int>(i)));
-    }
+            make_curve(name, Origin::reference, Mark::line, {}, {}, static_cast<int>(speeds.size())));
+        speeds.push_back(speed);
+    };
+    carry("advection line omega = U k", velocity_at_centreline(record));
+    carry("velocity of the surface omega = u_s k", surface_velocity_at_centreline(record));
     const double largest = spectrum.wavenumber.back();
     for (int i = 0; i <= steps; ++i) {
         const double k = largest * i / steps;
@@ -95,7 +96,8 @@ void add_wave_spectrum(const FlowRecord& record, const SurfaceFluctuation& surfa
             }
         }
         f.maps.push_back(std::move(map));
-        if (record.flow() != nullptr && velocity_at_centreline(record) > 0.0) {
+        if (record.flow() != nullptr &&
+            (velocity_at_centreline(record) > 0.0 || record.flow()->channel.ends == Ends::walls)) {
             add_dispersion(record, spectrum, f);
         }
     });

@@ -186,11 +186,12 @@ SectionKeys turbulence() {
                          .because("measured: 0 to 0.6")
                          .unset_by("auto", "0.2 for czernuszenko-rylov, 0 for nezu-rodi")
                          .applies_with(closure, {"nezu-rodi", "czernuszenko-rylov"}));
-    s.keys.push_back(key("zero", &Turbulence::zero,
-                         "Height above the bed level at which the mixing length starts from zero.")
-                         .measured_in(length)
-                         .at_least(0)
-                         .applies_with(closure, mixing_lengths));
+    s.keys.push_back(
+        key("zero", &Turbulence::zero,
+            "Height above the bed level at which the mixing length starts from zero.")
+            .measured_in(length)
+            .at_least(0)
+            .applies_with(closure, closures_where([](const ClosureTraits& t) { return t.has_zero; })));
     s.keys.push_back(key("smagorinsky_constant", &Turbulence::smagorinsky_constant, "Constant C_s.")
                          .greater_than(0)
                          .at_most(10)
@@ -199,7 +200,7 @@ SectionKeys turbulence() {
     s.keys.push_back(key("filter_width", &Turbulence::filter_width, "Filter width Delta.")
                          .measured_in(length)
                          .greater_than(0)
-                         .unset_by("auto", "spacing / sqrt(2) for sps, the spacing for wale and vreman")
+                         .unset_by("auto", "spacing / sqrt(2) for sps, the spacing for resolved eddies")
                          .applies_with(closure, filters));
     s.keys.push_back(
         key("stress_terms", &Turbulence::stress_terms, "What is kept of the strain rate and the stress.")

@@ -23,20 +23,22 @@ struct ClosureTraits {
     ClosureKind kind = ClosureKind::none;
     ClosureFamily family = ClosureFamily::none;
     bool has_kappa = false;         ///< von Karman's constant is one of its numbers
+    bool has_zero = false;          ///< its length begins at the height turbulence.zero
     bool by_velocity_rate = false;  ///< its eddy viscosity goes with the strain rate, or the rotation
     bool parts_stress = false;      ///< turbulence.stress_terms chooses what is kept of it
 };
 
 /// Of each closure, in the order of the enumerators.
 inline constexpr std::array<ClosureTraits, Words<ClosureKind>::list.size()> closure_table{{
-    {ClosureKind::none, ClosureFamily::none, false, false, false},
-    {ClosureKind::ramp, ClosureFamily::mixing_length, true, true, true},
-    {ClosureKind::nezu_rodi, ClosureFamily::mixing_length, true, true, true},
-    {ClosureKind::nikuradse, ClosureFamily::mixing_length, false, true, true},
-    {ClosureKind::sps, ClosureFamily::filter, false, true, true},
-    {ClosureKind::czernuszenko_rylov, ClosureFamily::mixing_length, true, true, false},
-    {ClosureKind::wale, ClosureFamily::resolved, false, false, false},
-    {ClosureKind::vreman, ClosureFamily::resolved, false, false, false},
+    {ClosureKind::none, ClosureFamily::none, false, false, false, false},
+    {ClosureKind::ramp, ClosureFamily::mixing_length, true, true, true, true},
+    {ClosureKind::nezu_rodi, ClosureFamily::mixing_length, true, true, true, true},
+    {ClosureKind::nikuradse, ClosureFamily::mixing_length, false, true, true, true},
+    {ClosureKind::sps, ClosureFamily::filter, false, false, true, true},
+    {ClosureKind::czernuszenko_rylov, ClosureFamily::mixing_length, true, true, true, false},
+    {ClosureKind::wale, ClosureFamily::resolved, false, false, false, false},
+    {ClosureKind::vreman, ClosureFamily::resolved, false, false, false, false},
+    {ClosureKind::smagorinsky, ClosureFamily::resolved, true, true, false, false},
 }};
 
 static_assert(

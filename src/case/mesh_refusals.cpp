@@ -28,8 +28,10 @@ Findings mesh_outside(const Case& c, const Solid& solid) {
     if (mesh == nullptr) {
         return {};
     }
+    // A deck may stand above the water that is to come.
+    constexpr double far_above = 4.0;
     const double extent[3] = {c.channel.length, c.channel.simulated_width(),
-                              std::max(c.total_depth(), c.channel.wall_height.value_or(0.0))};
+                              (has_free_surface(c) ? far_above : 1.0) * highest_water(c)};
     const bool open[3] = {c.channel.ends == Ends::periodic, c.channel.sides == Sides::periodic, false};
     bool outside = false;
     for (std::size_t k = 0; k < 3; ++k) {

@@ -25,7 +25,7 @@ CheckList method_refusals() {
                     c.numerics.pressure_form != PressureForm::symmetric;
          }},
         {{"turbulence.closure", "channel.dimensions"},
-         R"(`closure = "wale"` or `"vreman"` in two dimensions)",
+         R"(`closure = "wale"`, `"vreman"` or `"smagorinsky"` in two dimensions)",
          "eddies hand their energy down to smaller ones in three dimensions only",
          "set [channel] dimensions = 3, or choose a mixing length",
          [](const Case& c) { return resolves_eddies(c) && !in_space(c); }},

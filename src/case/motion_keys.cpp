@@ -133,7 +133,8 @@ void add_free_body_keys(SectionKeys& s) {
     using enum Dimension;
     s.keys.push_back(solid_key("density", &Solid::density, "Density of a free body.")
                          .measured_in(density)
-                         .greater_than(0)
+                         .at_least(5)
+                         .because("expanded foam has 10 kg/m3; 0.6 g/cm3 is density = \"0.6 g/cm3\"")
                          .unset_by("auto", "from its mass")
                          .with_example("700")
                          .applies_with(motion, {"free"}, true));

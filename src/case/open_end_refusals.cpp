@@ -187,7 +187,7 @@ CheckList open_end_refusals() {
              "give the height of its crest over the zero datum",
              [](const Case& c) {
                  return found_if(c.outflow.kind == OutflowKind::weir && c.outflow.weir_height <= 0.0,
-                                 "weir_height is missing");
+                                 "weir_height is missing or 0");
              }},
             lost_file("inflow.discharge_file", "a `discharge_file` that is not there",
                       [](const Case& c) { return is_lost(c, c.inflow.discharge_file); }),

@@ -17,7 +17,17 @@ enum class BedKind { spheres, slip, no_slip, roughness, smooth };
 enum class DragSampling { row, point };
 enum class Packing { hexagonal, square };
 enum class DragForm { consistent, thesis, paper, slice, plan_mean };
-enum class ClosureKind { none, ramp, nezu_rodi, nikuradse, sps, czernuszenko_rylov, wale, vreman };
+enum class ClosureKind {
+    none,
+    ramp,
+    nezu_rodi,
+    nikuradse,
+    sps,
+    czernuszenko_rylov,
+    wale,
+    vreman,
+    smagorinsky
+};
 enum class StressTerms { full, shear };
 enum class EddyRate { strain, rotation, strain_and_rotation };
 enum class ClosureDepth { automatic, initial, local };

@@ -1,5 +1,6 @@
 #include <algorithm>
 
+#include "case/cross_section.hpp"
 #include "case/flow_kind.hpp"
 #include "case/porous_zone.hpp"
 #include "case/units.hpp"
@@ -14,6 +15,7 @@ constexpr double comparison_slack = 1e-9;  ///< for the comparison of ratios giv
 // What is verified (docs/theory.md, section 18).
 constexpr double most_solid_fraction = 0.12;
 constexpr double fewest_rows_in_stems = 5.0;
+constexpr double largest_edge_share = 0.1;
 
 }  // namespace
 
@@ -46,6 +48,17 @@ CheckList patch_warnings() {
                     std::any_of(c.vegetation.begin(), c.vegetation.end(),
                                 [&c](const Vegetation& patch) { return patch.height < c.total_depth(); });
          }},
+        {{"bed_patch.kind", "solid.shape"},
+         "patches of the bed below a bed of measured heights or a cross-section",
+         "a patch is of the plane bed, which the water does not touch there: its friction acts nowhere",
+         "give the solid itself an equivalent_roughness, or make it of several solids with their own",
+         [](const Case& c, const BedPatch&) {
+             return found_if(std::any_of(c.solids.begin(), c.solids.end(),
+                                         [](const Solid& solid) {
+                                             return is_section(solid.shape) || solid.shape == SolidShape::bed;
+                                         }),
+                             "the plane bed lies below a solid all along the channel");
+         }},
         {{"porous.edge", "porous.z_to", "porous.name"},
          "a porous zone thinner than the edge over which its porosity changes",
          "nowhere in it is the porosity that of the medium (docs/porous.md)",
@@ -60,6 +73,21 @@ CheckList patch_warnings() {
                  !is_seen_from_the_side(zone) && zone.top_z.empty() && edge > least * (1 + comparison_slack),
                  "the edge has {}, and the zone {} in one direction", shown_length(edge),
                  shown_length(least));
+         }},
+        {{"porous.edge", "porous.name", "numerics.spacing"},
+         "a porous layer all along a stream whose `edge` is thicker than a tenth of the water above it",
+         "half of the edge lies in that water, which runs along it: its velocity follows the edge, and the default edge "
+         "follows the spacing (docs/porous.md, edges and the width of the kernel)",
+         "give an edge of your own, a smoothing length or less, and the same at all spacings",
+         [](const Case& c, const Porous& zone) {
+             const double top = zone.top_z.empty() ? zone.z_to.value_or(c.total_depth()) : zone.top_z.front();
+             const double above = c.total_depth() - top;
+             const double edge = porous_edge(c, zone);
+             const bool stream = c.channel.ends != Ends::walls && c.streamwise_gravity() > 0.0;
+             return found_if(stream && !is_seen_from_the_side(zone) && covers_length(c, zone) &&
+                                 above > 0.0 && edge > largest_edge_share * above * (1 + comparison_slack),
+                             "the edge has {} and the water above {}", shown_length(edge),
+                             shown_length(above));
          }},
         {{"turbulence.zero", "porous.name"},
          "a mixing length that begins below the top of a porous layer",

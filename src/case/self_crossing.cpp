@@ -47,8 +47,9 @@ std::optional<std::pair<Point3, Point3>> cut_by_plane(const Triangle& t, const T
     return std::pair(ends[0], ends[1]);
 }
 
-/// The middle of what two triangles have in common where they cross.
-std::optional<Point3> crossing_place(const Triangle& a, const Triangle& b, double tolerance) {
+/// What two triangles have in common where they cross.
+std::optional<std::pair<Point3, Point3>> crossing_line(const Triangle& a, const Triangle& b,
+                                                       double tolerance) {
     const auto of_b = cut_by_plane(b, a, tolerance);
     if (!of_b) return std::nullopt;
     const auto of_a = cut_by_plane(a, b, tolerance);
@@ -64,7 +65,15 @@ std::optional<Point3> crossing_place(const Triangle& a, const Triangle& b, doubl
     const double begin = std::max(low, 0.0);
     const double end = std::min(high, 1.0);
     if ((end - begin) * length <= tolerance) return std::nullopt;
-    return between(of_a->first, of_a->second, 0.5 * (begin + end));
+    return std::pair(between(of_a->first, of_a->second, begin), between(of_a->first, of_a->second, end));
+}
+
+/// Of length 1.
+Point3 unit_normal(const Triangle& t) {
+    Point3 normal = normal_of(t);
+    const double length = std::sqrt(dot(normal, normal));
+    for (double& component : normal) component /= length;
+    return normal;
 }
 
 }  // namespace
@@ -78,11 +87,24 @@ std::optional<SelfCrossing> self_crossing(const TriangleTree& tree, double toler
             common_corners(triangles[i], triangles[j]) > 1 || !compares(i, j)) {
             return;
         }
-        if (const auto place = crossing_place(triangles[i], triangles[j], tolerance)) {
-            first = SelfCrossing{i, j, *place};
+        if (const auto line = crossing_line(triangles[i], triangles[j], tolerance)) {
+            first = SelfCrossing{i, j, between(line->first, line->second, 0.5)};
         }
     });
     return first;
+}
+
+std::vector<Seam> seams_of(const TriangleTree& tree, double tolerance) {
+    const Triangles& triangles = tree.triangles();
+    std::vector<Seam> seams;
+    tree.for_meeting_boxes([&](std::size_t i, std::size_t j) {
+        const auto line = crossing_line(triangles[i], triangles[j], tolerance);
+        if (!line) return;
+        const Point3 a = unit_normal(triangles[i]);
+        const Point3 b = unit_normal(triangles[j]);
+        seams.push_back({line->first, line->second, {a[0] + b[0], a[1] + b[1], a[2] + b[2]}});
+    });
+    return seams;
 }
 
 }  // namespace riffle::inline case_file

@@ -6,6 +6,7 @@
 #include "case/bed_heights.hpp"
 #include "case/bed_surface.hpp"
 #include "case/mesh_file.hpp"
+#include "case/self_crossing.hpp"
 #include "case/solid_shapes.hpp"
 #include "case/winding.hpp"
 
@@ -57,7 +58,16 @@ SolidMesh::SolidMesh(const Case& c, const Solid& solid, std::vector<std::string>
     : SolidMesh(surface_of_solid(c, solid, notes)) {}
 
 SolidMesh::SolidMesh(ClosedSurface surface)
-    : tree_(std::move(surface.triangles)), several_shells_(surface.shells > 1) {}
+    : tree_(std::move(surface.triangles)), several_shells_(surface.shells > 1) {
+    if (!several_shells_) return;
+    const Point3 size = minus(upper(), lower());
+    Triangles lines;
+    for (const Seam& seam : seams_of(tree_, weld_tolerance * std::sqrt(dot(size, size)))) {
+        lines.push_back({seam.from, seam.to, seam.to});
+        seams_outward_.push_back(seam.outward);
+    }
+    seams_ = TriangleTree(std::move(lines));
+}
 
 const SolidMesh* mesh_of(const Case& c, const Solid& solid) {
     return c.meshes ? &(*c.meshes)[static_cast<std::size_t>(&solid - c.solids.data())] : nullptr;
@@ -85,14 +95,13 @@ bool SolidMesh::contains(const Point3& p) const {
     return winding_number(tree_, p, [](std::size_t) { return true; }) != 0;
 }
 
-/// Whether just outside of the triangle there is no other shell.
-bool SolidMesh::is_exposed(std::size_t triangle, const Point3& place) const {
-    const Point3 normal = normal_of(tree_.triangles()[triangle]);
+bool SolidMesh::is_exposed(const Point3& place, const Point3& outward) const {
     const Point3 size = minus(upper(), lower());
-    const double length = std::sqrt(dot(normal, normal));
+    const double length = std::sqrt(dot(outward, outward));
     // Farther than rounding and the shift of the line in winding_number().
     const double away = length > 0.0 ? 1e-7 * std::sqrt(dot(size, size)) / length : 0.0;
-    return !contains({place[0] + away * normal[0], place[1] + away * normal[1], place[2] + away * normal[2]});
+    return !contains(
+        {place[0] + away * outward[0], place[1] + away * outward[1], place[2] + away * outward[2]});
 }
 
 std::optional<SolidMesh::Foot> SolidMesh::nearest(const Point3& p, double limit) const {
@@ -102,11 +111,20 @@ std::optional<SolidMesh::Foot> SolidMesh::nearest(const Point3& p, double limit)
 std::optional<SolidMesh::Foot> SolidMesh::nearest(const Point3& p, double limit,
                                                   const std::function<bool(const Point3&)>& takes) const {
     const auto near = tree_.nearest(p, limit, [&](std::size_t i, const Point3& foot) {
-        return takes(foot) && (!several_shells_ || is_exposed(i, foot));
+        return takes(foot) && (!several_shells_ || is_exposed(foot, normal_of(tree_.triangles()[i])));
     });
-    if (!near) return std::nullopt;
-    Foot result{std::sqrt(near->squared), minus(near->foot, p)};
-    if (near->squared == 0.0) result.direction = normal_of(tree_.triangles()[near->triangle]);
+    const auto seam =
+        seams_.nearest(p, near ? std::sqrt(near->squared) : limit, [&](std::size_t i, const Point3& foot) {
+            return takes(foot) && is_exposed(foot, seams_outward_[i]);
+        });
+    if (!near && !seam) return std::nullopt;
+    const bool on_seam = seam && (!near || seam->squared < near->squared);
+    const TriangleTree::Near& nearest = on_seam ? *seam : *near;
+    Foot result{std::sqrt(nearest.squared), minus(nearest.foot, p)};
+    if (nearest.squared == 0.0) {
+        result.direction =
+            on_seam ? seams_outward_[nearest.triangle] : normal_of(tree_.triangles()[nearest.triangle]);
+    }
     const double length = std::sqrt(dot(result.direction, result.direction));
     for (double& component : result.direction) component /= length;
     return result;

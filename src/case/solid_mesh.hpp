@@ -45,10 +45,15 @@ class SolidMesh {
     [[nodiscard]] const TriangleTree& tree() const { return tree_; }
 
   private:
-    [[nodiscard]] bool is_exposed(std::size_t triangle, const Point3& place) const;
+    /// Whether nothing of the solid lies just beyond a place of its surface.
+    [[nodiscard]] bool is_exposed(const Point3& place, const Point3& outward) const;
 
     TriangleTree tree_;
     bool several_shells_ = false;
+    // Where shells pass through each other: the rim of what water can touch of their faces. As triangles
+    // without area, and the ways out of the solid there.
+    TriangleTree seams_;
+    std::vector<Point3> seams_outward_;
 };
 
 /// The surface of a solid of a case in three dimensions, where it was read with the case; otherwise nullptr.

@@ -7,7 +7,9 @@
 
 #include "case/bed_surface.hpp"
 #include "case/blockage.hpp"
+#include "case/flow_kind.hpp"
 #include "case/outline.hpp"
+#include "case/outline_check.hpp"
 #include "case/refusals.hpp"
 #include "case/solid_mesh.hpp"
 #include "case/solid_motion.hpp"
@@ -59,22 +61,37 @@ std::vector<Point3> places_behind_surface(const Case& c, const Solid& solid, dou
     return places;
 }
 
-/// A solid at rest all of whose surface stands in others at rest.
+/// The solid at rest in which all of the surface of another stands, with others; nothing where water touches
+/// it.
+std::optional<std::size_t> solid_around(const Case& c, const SolidPlaces& solids, std::size_t own) {
+    std::optional<std::size_t> around;
+    for (const Point3& p : places_behind_surface(c, c.solids[own], 0.1 * c.numerics.spacing)) {
+        if (!is_in_channel(c, p)) continue;
+        around = solids.resting_at(p, own);
+        if (!around) return std::nullopt;
+    }
+    return around;
+}
+
 Findings buried(const Case& c, const Solid& solid) {
     if (!solid.rests() || c.solids.size() < 2) {
         return {};
     }
     const SolidPlaces solids(c);
     const auto own = static_cast<std::size_t>(&solid - c.solids.data());
-    std::optional<std::size_t> around;
-    for (const Point3& p : places_behind_surface(c, solid, 0.1 * c.numerics.spacing)) {
-        if (!is_in_channel(c, p)) continue;
-        around = solids.resting_at(p, own);
-        if (!around) {
-            return {};
-        }
-    }
-    return around ? found_if(true, "stands in the solid \"{}\"", c.solids[*around].name) : Findings{};
+    const auto around = solid_around(c, solids, own);
+    // Of two alike the second is told.
+    const bool first_of_two = around && *around > own && solid_around(c, solids, *around) == own;
+    return around && !first_of_two ? found_if(true, "stands in the solid \"{}\"", c.solids[*around].name)
+                                   : Findings{};
+}
+
+/// A solid at rest above all water that is to come.
+Findings out_of_reach(const Case& c, const Solid& solid) {
+    const auto range = solid.rests() && has_free_surface(c) ? extent_of(c, solid, 2) : std::nullopt;
+    return found_if(range && range->low >= highest_water(c),
+                    "begins {} above the bed level, and the water is expected up to {}",
+                    shown_length(range ? range->low : 0.0), shown_length(highest_water(c)));
 }
 
 /// Where a sphere of one layer stands in one of another, deeper than a tenth of the spacing.
@@ -176,6 +193,20 @@ CheckList solid_warnings() {
          "no water comes there, and it records nothing, or what its neighbourhood has",
          "move it",
          in_solid},
+        {{"turbulence.eddy_rate", "turbulence.closure", "solid.name"},
+         "a weir in an open channel with a mixing length by the strain rate",
+         "the water that is drawn together before a crest strains and hardly turns, and the eddy viscosity brakes it: a "
+         "sharp-crested weir passes too much at its head (docs/open-ends.md, Weirs with a mixing length)",
+         "choose closure = \"none\" over a bed that allows it, or eddy_rate = \"rotation\"",
+         [](const Case& c, const Solid& solid) {
+             const auto range = extent_of(c, solid, 2);
+             const double spacing = c.numerics.spacing;
+             const bool stands = range && range->low < spacing && range->high > 3.0 * spacing;
+             return found_if(!in_space(c) && c.channel.ends == Ends::open && has_mixing_length(c) &&
+                                 c.turbulence.eddy_rate == EddyRate::strain && solid.rests() &&
+                                 !solid.part_of_bed && stands && range->high < highest_water(c) / 1.5,
+                             "rises to {}", shown_length(range ? range->high : 0.0));
+         }},
         {{"solid.motion", "channel.dimensions"},
          "a solid in three dimensions that moves faster than 1.5 sqrt(g H)",
          "such a jerk drives the water beside it, and adds energy to it (docs/theory.md, section 9, solids)",
@@ -191,6 +222,11 @@ CheckList solid_warnings() {
          "no water touches it, and no force acts on it",
          "remove it, or correct its place",
          buried},
+        {{"solid.z", "solid.place", "solid.centre"},
+         "a solid at rest higher than half of the depth above the water",
+         "no water comes there",
+         "correct its place or its unit, or remove it",
+         out_of_reach},
         {{"solid.level", "solid.diameter", "solid.name"},
          "layers of spheres that stand in each other",
          "grains do not: what two of them share counts once, and the bed has less room for water and other crests than one of such grains",

@@ -134,7 +134,7 @@ struct Words<DragForm> {
 
 template <>
 struct Words<ClosureKind> {
-    static constexpr std::array<Word, 8> list{{
+    static constexpr std::array<Word, 9> list{{
         {"none", "laminar", "", "laminar flow"},
         {"ramp", "mixing length kappa z, at most lambda H (thesis 4.2)",
          "thesis (4.2); Nezu & Nakagawa (1993), Stansby (2003)",
@@ -155,6 +155,10 @@ struct Words<ClosureKind> {
         {"vreman", "eddies resolved by the particles, those below by Vreman's viscosity",
          "Vreman (2004); c = 2.5 C_s^2",
          "resolved eddies in 3D, as wale: the difference shows what the closure does"},
+        {"smagorinsky",
+         "eddies resolved by the particles, those below by Smagorinsky's viscosity, its length no more than kappa (z - zero) at the bed",
+         "Smagorinsky (1963); damped at rough beds after Mason & Thomson (1992)",
+         "resolved eddies in 3D, to compare with other codes: it brakes plane shear too"},
     }};
 };
 

@@ -7,6 +7,7 @@
 #include "analysis/chapters.hpp"
 #include "analysis/laboratory_record.hpp"
 #include "analysis/run_record.hpp"
+#include "analysis/window_summary.hpp"
 #include "base/error.hpp"
 #include "cli/positive_number.hpp"
 #include "cli/terminal.hpp"
@@ -59,6 +60,9 @@ Analysis analyse_input(const RecordInput& options, const std::string& input) {
     how.measured.assign(options.measured.begin(), options.measured.end());
     const RunRecord record(results, how);
     Analysis analysis = analyse(record, options.chapter);
+    if (options.window) {
+        analysis.asked_window = {record.window().from, record.window().to, window_summary(record)};
+    }
     if (!options.measured.empty() && !record.is_compared()) {
         analysis.warnings.emplace_back(
             "nothing of this run is compared with what --measured names: it has no time means of the velocity, or none "

@@ -10,6 +10,7 @@
 #include "base/error.hpp"
 #include "case/bed_patch.hpp"
 #include "case/case.hpp"
+#include "case/cross_section.hpp"
 #include "case/flow_kind.hpp"
 #include "cli/backwater_figure.hpp"
 #include "cli/backwater_output.hpp"
@@ -240,6 +241,13 @@ Backwater solve(const BackwaterArguments& a, Case c) {
     }
     Backwater b;
     const GivenFriction friction = friction_of(a);
+    if (const Solid* const canal = is_given(friction) ? canal_of(c) : nullptr) {
+        throw InputError(fmt::format(
+            "the solid \"{}\" makes the channel of the case a canal of its own section, and backwater knows a wide "
+            "rectangle alone: its depths, discharge and critical depth would be those of another channel; `riffle "
+            "check` prints the uniform flow of the section",
+            canal->name));
+    }
     b.friction = friction_text(friction, c);
     std::optional<EndInput> ends;
     if (c.channel.ends == Ends::open) ends = read_end_levels(c);
@@ -272,6 +280,15 @@ Backwater solve(const BackwaterArguments& a, Case c) {
         b.notes.emplace_back(
             "The solids of the case take no part: this is the flow along its bed without them, and what they raise the water "
             "by is what a run has more.");
+    }
+    if (!c.vegetation.empty() && is_given(friction)) {
+        b.notes.emplace_back(
+            "The given friction is that of all that holds the water back: the stems of the case take no part.");
+    }
+    if (!c.porous.empty() && is_given(friction)) {
+        b.notes.emplace_back(
+            "The given friction is that of all that holds the water back: the porous zones of the case take no part, and "
+            "their room counts as water.");
     }
     if (!c.bed_patches.empty() && is_given(friction)) {
         b.notes.emplace_back("The given friction is that of the whole bed: its patches take no part.");

@@ -48,7 +48,8 @@ std::vector<Workload> chosen_workloads(const BenchVerb& verb) {
         const bool named = std::any_of(verb.names.begin(), verb.names.end(), [&](const std::string& name) {
             return name == w.name || name == known.back();
         });
-        const bool quick = verb.names.empty() && quick_workloads.count(w.name) > 0 && w.scheme != "spheres";
+        const bool quick = verb.names.empty() && quick_workloads.count(w.name) > 0 &&
+                           (w.scheme == "plain" || w.scheme == "default");
         if (verb.all || named || quick) chosen.push_back(w);
         unknown.erase(w.name);
         unknown.erase(known.back());
@@ -167,7 +168,7 @@ void add_verb_bench(CLI::App& app) {
     CLI::Option* const names = command->add_option(
         "workloads", verb->names,
         "Names: channel-2d-5k, -50k, -1m, channel-3d-200k, -1m, -8m, each alone or with "
-        "/plain, /default or, in 3D, /spheres (default: channel-2d-5k, -50k and channel-3d-200k)");
+        "/plain, /default or, in 3D, /spheres or /resolved (default: channel-2d-5k, -50k and channel-3d-200k, plain and default)");
     command
         ->add_flag("--all", verb->all, "All workloads: half an hour, the largest holds 8 million particles")
         ->excludes(names);

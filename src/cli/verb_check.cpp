@@ -100,7 +100,8 @@ void print_canal(const Forecast& f) {
                               f.canal->wet.area, f.canal->wet.perimeter, 1e3 * f.canal->hydraulic_radius,
                               1e3 * f.canal->wet.top_width));
         print_row("by Colebrook and White",
-                  fmt::format("U = {:.4g} m/s, Q = {:.4g} l/s", f.canal->velocity, 1e3 * f.canal->discharge));
+                  fmt::format("U = {:.4g} m/s, Q = {:.4g} l/s{}", f.canal->velocity, 1e3 * f.canal->discharge,
+                              f.canal->alone ? "" : ", without its stems and stones"));
     }
 }
 

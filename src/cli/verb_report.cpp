@@ -79,7 +79,7 @@ fs::path common_folder(const std::vector<fs::path>& results) {
 /// Throws InputError where the page or its summary would take the place of anything else than an older one.
 void refuse_other_files(const fs::path& html, const fs::path& json) {
     refuse_to_replace_another(html, begin_of_page, "page of Riffle");
-    refuse_to_replace_another(json, begin_of_json, "summary (JSON)");
+    if (!json.empty()) refuse_to_replace_another(json, begin_of_json, "summary (JSON)");
     // A page is HTML whatever its name says.
     static const std::set<std::string> others{".pdf", ".png", ".svg", ".json",
                                               ".csv", ".txt", ".md",  ".docx"};
@@ -92,7 +92,8 @@ void refuse_other_files(const fs::path& html, const fs::path& json) {
 }
 
 void print_written(const fs::path& html, const fs::path& json) {
-    fmt::print("{}\n{}\n", html.string(), json.string());
+    fmt::print("{}\n", html.string());
+    if (!json.empty()) fmt::print("{}\n", json.string());
 }
 
 void report_one(const ReportOptions& options, const fs::path& input) {

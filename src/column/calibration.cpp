@@ -12,9 +12,11 @@
 
 #include "base/error.hpp"
 #include "base/not_a_number.hpp"
+#include "case/flow_kind.hpp"
 #include "column/calibration_parameter.hpp"
 #include "column/calibration_target.hpp"
 #include "column/centreline.hpp"
+#include "column/section.hpp"
 #include "statistics/least_squares.hpp"
 #include "statistics/linear_fit.hpp"
 
@@ -263,6 +265,10 @@ CalibrationResult calibrate_columns(std::span<const Case> cases, const Calibrati
         throw InputError(
             fmt::format("{} files of cross-sections for {} cases: give one for each, in their order",
                         options.sections.size(), cases.size()));
+    }
+    for (const Case& c : cases) {
+        const auto reason = why_no_column(c);
+        if (reason && why_no_section(c)) throw InputError("the case has no twin to fit: " + *reason);
     }
     const std::vector<Unknown> unknowns = unknowns_of(cases, options);
     std::vector<CalibrationTarget> targets;

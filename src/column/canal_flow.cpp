@@ -32,6 +32,7 @@ std::optional<CanalFlow> canal_flow(const Case& c) {
                                              flow.hydraulic_radius, c.fluid.kinematic_viscosity, full_pipe);
     if (!(flow.velocity > 0.0 && std::isfinite(flow.velocity))) return std::nullopt;
     flow.discharge = flow.velocity * flow.wet.area;
+    flow.alone = c.vegetation.empty() && c.porous.empty();
     return flow;
 }
 

@@ -15,6 +15,7 @@ struct CanalFlow {
     double hydraulic_radius = 0.0;  ///< m
     double velocity = 0.0;          ///< U, m/s
     double discharge = 0.0;         ///< Q, m3/s
+    bool alone = true;              ///< nothing but the section holds the water back: no stems, no stones
 };
 
 /// Nothing where a case is no canal (canal_of()), or its roughness too large for the equation.

@@ -198,6 +198,12 @@ std::optional<std::string> why_no_section(const Case& c) {
     // a column does so in a section.
     Case resisting = c;
     resisting.bed.kind = BedKind::no_slip;
+    // What no other place of stems, patches or stones could change comes first.
+    Case bare = resisting;
+    bare.vegetation.clear();
+    bare.bed_patches.clear();
+    bare.porous.clear();
+    if (auto reason = why_no_column(bare)) return reason;
     if (auto reason = lopsided(c, c.vegetation, "the vegetation")) return reason;
     if (auto reason = lopsided(c, c.bed_patches, "the patch of the bed")) return reason;
     if (auto reason = other_than_strips(c)) return reason;

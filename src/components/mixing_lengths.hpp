@@ -39,10 +39,10 @@ class MixingLengths final : public Component<D, Real> {
                                     make_canopy_closure(flow.c, stems, make_particle_closure(flow.c, row))});
             }
         }
-        if (uses_local_depth(flow.c)) {
-            depth_.emplace(flow);
-            // Farther off no mixing length is limited: the largest of the closures is 0.16 H.
-            constexpr double reach = 0.5;
+        // Farther off no mixing length is limited: the largest of the closures is 0.16 H.
+        constexpr double reach = 0.5;
+        if (uses_local_depth(flow.c)) depth_.emplace(flow);
+        if (depth_ || flow.c.turbulence.closure == ClosureKind::smagorinsky) {
             solids_ = SolidDistance<D>(flow.c, reach * flow.scheme.depth);
         }
     }

@@ -185,7 +185,18 @@ std::string profile_text(const Case& c, const FlowAtEnds& states) {
     const double bottom = states.inflow.floor > 0.0 ? states.inflow.floor : 0.0 - c.datum();
     const bool below = given.least > bottom + c.numerics.spacing;
     const bool above = given.largest < c.channel.depth - c.numerics.spacing;
-    if (!below && !above) return "";
+    constexpr double wide = 0.25;  // of the depth
+    const auto& gap = states.profile_gap;
+    const std::string between =
+        gap && gap->largest - gap->least > wide * c.channel.depth
+            ? fmt::format("between {} and {} it has no point, and u goes straight from one to the other",
+                          shown_length(gap->least), shown_length(gap->largest))
+            : "";
+    if (!below && !above) {
+        return between.empty() ? ""
+                               : fmt::format("{}: {}; add points where that is not meant",
+                                             c.inflow.profile_file.filename().string(), between);
+    }
     std::string text = fmt::format(
         "{} gives u from {} to {} over the datum alone:", c.inflow.profile_file.filename().string(),
         shown_length(given.least), shown_length(given.largest));
@@ -196,7 +207,7 @@ std::string profile_text(const Case& c, const FlowAtEnds& states) {
         text += fmt::format("{} its highest up to {}, the surface", below ? "," : "",
                             shown_length(c.channel.depth));
     }
-    return text + "; add points where that is not meant";
+    return text + (between.empty() ? "" : "; " + between) + "; add points where that is not meant";
 }
 
 /// Critical and normal depth at an end, and what the slope is with them; empty without discharge.

@@ -277,7 +277,14 @@ FlowAtEnds flow_at_ends(const Case& c) {
                   flow ? flow->depth_at(c.channel.length) + c.datum() : at.outflow_depth, states.outflow);
     }
     if (c.inflow.profile == InflowProfile::file) {
-        for (const double z : read_profile_record(c.inflow.profile_file).z) widen(states.profile_heights, z);
+        std::vector<double> heights = read_profile_record(c.inflow.profile_file).z;
+        std::sort(heights.begin(), heights.end());
+        for (const double z : heights) widen(states.profile_heights, z);
+        for (std::size_t i = 1; i < heights.size(); ++i) {
+            const Extremes gap{heights[i - 1], heights[i]};
+            const auto width = [](const Extremes& e) { return e.largest - e.least; };
+            if (!states.profile_gap || width(gap) > width(*states.profile_gap)) states.profile_gap = gap;
+        }
     }
     states.unit_discharge = discharge.value_or(Extremes{});
     if (is_duct(c) && c.fluid.kinematic_viscosity > 0.0) {

@@ -31,6 +31,7 @@ StrainMeasure strain_measure(const Case& c) {
         case ClosureKind::nikuradse:
         case ClosureKind::sps:
         case ClosureKind::czernuszenko_rylov:
+        case ClosureKind::smagorinsky:
             break;
     }
     switch (c.turbulence.eddy_rate) {

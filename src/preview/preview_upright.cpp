@@ -23,6 +23,13 @@ namespace riffle::inline preview {
 
 namespace {
 
+/// The largest shift of a table, by its magnitude: where a solid goes farthest; 0 of none.
+double farthest(const std::vector<double>& shifts) {
+    const auto most = std::max_element(shifts.begin(), shifts.end(),
+                                       [](double a, double b) { return std::abs(a) < std::abs(b); });
+    return most == shifts.end() ? 0.0 : *most;
+}
+
 constexpr const char* wall_style = "fill='url(#hatch)'";
 constexpr const char* wall_edge = R"(stroke="#1b2026" stroke-width="1.8")";
 
@@ -240,8 +247,12 @@ class UprightView {
         const auto x = extent_of(c_, solid, 0);
         const auto z = extent_of(c_, solid, 2);
         const bool swings = solid.motion == SolidMotion::oscillating;
-        const double along = swings ? solid.amplitude_x : solid.velocity_x;
-        const double up = swings ? solid.amplitude_z : solid.velocity_z;
+        double along = swings ? solid.amplitude_x : solid.velocity_x;
+        double up = swings ? solid.amplitude_z : solid.velocity_z;
+        if (solid.motion == SolidMotion::table) {
+            along = farthest(solid.shifts_x);
+            up = farthest(solid.shifts_z);
+        }
         const double size = std::hypot(along, up);
         if (!x || !z || size == 0.0) return;
         const double u = view_.x(0.5 * (x->low + x->high));

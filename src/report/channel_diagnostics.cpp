@@ -74,10 +74,13 @@ class ChannelRows : public DiagnosticRows {
         const Finding* const found = finding("velocity_fluctuation_growth");
         if (found == nullptr) return;
         constexpr double bar = 0.25;
-        const double least = found->value - found->half_width.value_or(0.0);
+        constexpr double many = 10.0;
+        const Finding* const bound = finding("velocity_fluctuation_growth_least");
+        const double least = bound != nullptr ? bound->value : found->value;
         add({"fluctuation_growth", "Growth of the particles' fluctuation in the window",
              // A number that its interval does not know from none would be read as one that is known.
              found->value > bar && least <= bar ? "not told apart from none"
+             : found->value > many              ? fmt::format("{:.3g}-fold", 1.0 + found->value)
                                                 : (found->value < 0.0 ? "" : "+") + percent(found->value, 0),
              "at most 25 %, as far as its interval tells",
              "By the trend of the logarithm of the velocity fluctuation. One that grows says that the "
@@ -314,7 +317,8 @@ class ChannelRows : public DiagnosticRows {
              signed_percent(found->value) + " of the energy input", "at most 10 %",
              open
                  ? "Weight and what flows in with more energy than flows out drive the flow; drag, closure and "
-                   "viscosity take it. What the pressure adds or takes beside them is not physics."
+                   "viscosity take it. What the pressure adds or takes beside them is not physics; what dissipation "
+                   "of impacts and damping of sound take is not in it."
                  : "Weight drives the flow; drag, closure and viscosity take its energy. What pressure forces and "
                    "time stepping add or take beside them is not physics: it feeds noise or damps eddies.",
              mark_of(std::abs(found->value), bar, found->half_width.value_or(0.0))});

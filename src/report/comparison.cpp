@@ -53,7 +53,10 @@ std::vector<ComparedRun> collect_runs(const std::vector<ReportSubject>& subjects
     std::vector<ComparedRun> runs;
     for (const ReportSubject& subject : subjects) {
         ComparedRun run{subject.analysis.name, std::nullopt, subject.analysis};
-        if (!subject.results.empty()) run.run = collect_report_data(subject.results, FieldFrames::none);
+        if (!subject.results.empty()) {
+            run.run = collect_report_data(subject.results, FieldFrames::none);
+            take_window(subject.analysis, *run.run);
+        }
         runs.push_back(std::move(run));
     }
     std::vector<std::size_t> all(runs.size());

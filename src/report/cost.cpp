@@ -94,25 +94,13 @@ std::vector<CostRow> cost_rows(const std::vector<ComparedRun>& runs) {
             const auto rate = seconds_per_second(data);
             return rate ? std::optional<std::string>(computing_time_text(*rate)) : std::nullopt;
         });
-    add("thesis", "the thesis' run of the condition",
+    // Stated, not compared: its computer and its method were others.
+    add("thesis", "the thesis' run of the condition, on its computer",
         [](const ReportData& data) -> std::optional<std::string> {
             const auto cost = thesis_cost(data.flow);
             if (!cost) return std::nullopt;
             return fmt::format("{:.0f} days for {:.0f} s, {} particles", cost->days, cost->simulated,
                                grouped_number(cost->particles));
-        });
-    add("thesis_seconds_per_second", "the thesis' per simulated second",
-        [](const ReportData& data) -> std::optional<std::string> {
-            const auto cost = thesis_cost(data.flow);
-            return cost ? std::optional<std::string>(computing_time_text(cost->days * day / cost->simulated))
-                        : std::nullopt;
-        });
-    add("speed_up", "the thesis' over that of the run",
-        [](const ReportData& data) -> std::optional<std::string> {
-            const auto cost = thesis_cost(data.flow);
-            const auto rate = seconds_per_second(data);
-            if (!cost || !rate || !(*rate > 0.0)) return std::nullopt;
-            return fmt::format("{:.3g}", cost->days * day / cost->simulated / *rate);
         });
     // Runs in two dimensions alone have their cost among the facts of their own pages.
     const bool in_space = std::any_of(runs.begin(), runs.end(), [](const ComparedRun& run) {

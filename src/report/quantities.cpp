@@ -104,6 +104,17 @@ Sources depth_mean_velocity(const ReportData& data, const Analysis& analysis) {
     return sources;
 }
 
+/// Of the centreline between side walls, where the flow was measured and is nearest to that of a wide
+/// channel.
+std::optional<Sources> centreline_mean(const ReportData& data) {
+    const auto centreline = find_value(data.summary, fields::summary.centreline_velocity);
+    if (!centreline || !data.flow.has_side_walls()) return std::nullopt;
+    return Sources{
+        SummaryValue{*centreline, find_value(data.summary, fields::summary.centreline_velocity_half_width)},
+        plain(data.flow.measured.depth_mean_velocity),
+        plain(find_value(data.section, fields::section_numbers.centreline_velocity))};
+}
+
 void add_velocities(Table& table, const ReportData& data, const Sources& mean) {
     const bool between_walls = data.flow.has_side_walls();
     table.add(row_of("depth_mean_velocity",
@@ -111,14 +122,10 @@ void add_velocities(Table& table, const ReportData& data, const Sources& mean) {
                                    : "Depth-mean velocity above the datum",
                      "<i>U</i>", "m/s"),
               mean);
-    const auto centreline = find_value(data.summary, fields::summary.centreline_velocity);
-    if (centreline && between_walls) {
+    if (const auto centreline = centreline_mean(data)) {
         table.add(row_of("centreline_velocity", "Depth-mean velocity around the centreline",
                          "<i>U</i><sub>c</sub>", "m/s"),
-                  {SummaryValue{*centreline,
-                                find_value(data.summary, fields::summary.centreline_velocity_half_width)},
-                   plain(data.flow.measured.depth_mean_velocity),
-                   plain(find_value(data.section, fields::section_numbers.centreline_velocity))});
+                  *centreline);
     }
     // The column twin is that of a wide channel: it stands beside nothing between side walls.
     table.add(
@@ -211,12 +218,13 @@ void add_levels(Table& table, const ReportData& data, const Analysis& analysis) 
                {}});
 }
 
-/// Numbers of hydraulics that follow from the depth-mean velocity, for a wide channel (no side walls, as the
-/// flow is computed: hydraulic radius = depth above the datum).
-void add_channel_numbers(Table& table, const ReportData& data, const Sources& mean) {
+/// Numbers of hydraulics that follow from the depth-mean velocity, for a wide channel (hydraulic radius =
+/// depth above the datum); between side walls from that around the centreline, as the findings have them.
+void add_channel_numbers(Table& table, const ReportData& data, const Sources& whole) {
     const Case& c = data.flow;
     if (c.channel.slope <= 0) return;  // no mean flow to characterise
     const WideChannel channel = wide_channel(c);
+    const Sources mean = centreline_mean(data).value_or(whole);
     const auto through = [&](double (WideChannel::*law)(double) const) {
         return mean.through([&channel, law](double u) { return (channel.*law)(u); });
     };

@@ -38,11 +38,15 @@ std::string make_html(const ReportData& data, const Analysis& analysis) {
 }  // namespace
 
 std::string report_html(const std::filesystem::path& results, const Analysis& analysis) {
-    return make_html(collect_report_data(results), analysis);
+    ReportData data = collect_report_data(results);
+    take_window(analysis, data);
+    return make_html(data, analysis);
 }
 
 std::string report_summary_json(const std::filesystem::path& results, const Analysis& analysis) {
-    return summary_json(collect_report_data(results), analysis);
+    ReportData data = collect_report_data(results);
+    take_window(analysis, data);
+    return summary_json(data, analysis);
 }
 
 std::string comparison_html(const Comparison& comparison) {
@@ -74,13 +78,17 @@ std::filesystem::path find_results_file(const std::filesystem::path& path) {
 }
 
 std::filesystem::path summary_beside(const std::filesystem::path& html) {
+    // What is written to a device is looked at or thrown away: nothing is left beside it.
+    std::error_code unknown;
+    if (std::filesystem::exists(html, unknown) && !std::filesystem::is_regular_file(html, unknown)) return {};
     const std::string stem = html.stem().string();
     return html.parent_path() / (stem == "report" ? "summary.json" : stem + "-summary.json");
 }
 
 void write_report(const std::filesystem::path& results, const std::filesystem::path& html,
                   const std::filesystem::path& json, const Analysis& analysis) {
-    const ReportData data = collect_report_data(results);
+    ReportData data = collect_report_data(results);
+    take_window(analysis, data);
     write_text_atomically(html, make_html(data, analysis));
     if (!json.empty()) write_text_atomically(json, summary_json(data, analysis));
 }

@@ -24,7 +24,7 @@ namespace riffle::inline report {
 [[nodiscard]] std::filesystem::path find_results_file(const std::filesystem::path& path);
 
 /// Where the summary of a page lies: summary.json beside report.html, NAME-summary.json beside another
-/// NAME.html.
+/// NAME.html; nowhere beside a device.
 [[nodiscard]] std::filesystem::path summary_beside(const std::filesystem::path& html);
 
 /// Write the report to `html` and, unless `json` is empty, its summary to `json`, each in one atomic step.

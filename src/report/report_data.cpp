@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+#include "base/not_a_number.hpp"
 #include "column/column.hpp"
 #include "record/flow_fields.hpp"
 #include "record/run_fields.hpp"
@@ -76,6 +77,23 @@ ReportData collect_report_data(const RunResults& results, FieldFrames frames) {
     data.field = read_field(results, data.flow, frames);
     if (frames == FieldFrames::all) data.surface_frames = read_surface_frames(results, data.flow);
     return data;
+}
+
+void take_window(const Analysis& analysis, ReportData& data) {
+    if (!analysis.asked_window) return;
+    data.window_start = analysis.asked_window->from;
+    data.window_end = analysis.asked_window->to;
+    data.profile_samples = 0.0;  // of the run's own window
+    // What this window has none of: intervals from too few samples, fits that are not valid.
+    const auto& of = fields::summary;
+    for (const Field& field :
+         {of.depth_mean_velocity_half_width, of.centreline_velocity_half_width, of.surface_velocity,
+          of.friction_velocity, of.log_law_friction_velocity, of.log_law_friction_velocity_half_width,
+          of.equivalent_roughness, of.equivalent_roughness_half_width, of.zero_plane, of.spurious_stress_rms,
+          of.spurious_stress_maximum, of.stress_error_rms}) {
+        if (data.summary.find(field)) data.summary.set(field, not_a_number);
+    }
+    for (const auto& [name, value] : analysis.asked_window->summary.all()) data.summary.set(name, value);
 }
 
 }  // namespace riffle::inline report

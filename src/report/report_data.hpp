@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "analysis/figure.hpp"
 #include "case/case.hpp"
 #include "record/run_results.hpp"
 #include "report/field_data.hpp"
@@ -39,5 +40,9 @@ struct ReportData {
 
 /// Simulated time that the series reach, s; 0 without series.
 [[nodiscard]] double recorded_time(const ReportData& data);
+
+/// Take the window that an analysis was asked for, and the run's summary over it, so that a page has one
+/// window.
+void take_window(const Analysis& analysis, ReportData& data);
 
 }  // namespace riffle::inline report

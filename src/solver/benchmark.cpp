@@ -36,6 +36,15 @@ Case workload_case(const Workload& workload) {
         c.bed.drag_form = DragForm::consistent;
         c.turbulence.closure = ClosureKind::czernuszenko_rylov;
     }
+    if (workload.scheme == "resolved") {
+        // Those of `riffle new --resolved`.
+        c.bed.drag_form = DragForm::consistent;
+        c.turbulence.closure = ClosureKind::wale;
+        c.numerics.reference_pressure = ReferencePressure::hydrostatic;
+        c.numerics.reference_depth_ratio = 2.0;
+        c.numerics.pressure_correction_time = 0.2;
+        c.numerics.density_relaxation = 0.2;
+    }
     return c;
 }
 
@@ -135,10 +144,10 @@ std::vector<Workload> standard_workloads() {
     space("channel-3d-1m", 0.4, 0.36);
     space("channel-3d-8m", 1.16, 0.98);
     std::vector<Workload> all;
-    for (const char* scheme : {"plain", "default", "spheres"}) {
+    for (const char* scheme : {"plain", "default", "spheres", "resolved"}) {
         for (Workload w : workloads) {
             w.scheme = scheme;
-            if (w.dimensions == 3 || w.scheme != "spheres") all.push_back(w);
+            if (w.dimensions == 3 || (w.scheme != "spheres" && w.scheme != "resolved")) all.push_back(w);
         }
     }
     return all;

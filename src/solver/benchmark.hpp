@@ -10,10 +10,11 @@ namespace riffle::inline solver {
 
 /// A standard workload of `riffle bench`.
 struct Workload {
-    std::string name;  ///< e.g. "channel-2d-5k"
-    std::string
-        scheme;  ///< "default": closure and corrected pressure; "plain": laminar, symmetric pressure;
-                 ///< "spheres", in 3D: the closure of Czernuszenko & Rylov over spheres at their places
+    std::string name;    ///< e.g. "channel-2d-5k"
+    std::string scheme;  ///< "default": closure and corrected pressure; "plain": laminar, symmetric pressure;
+                         ///< "spheres", in 3D: the closure of Czernuszenko & Rylov over spheres at their
+                         ///< places; "resolved", in 3D: eddies that the particles carry, over the same, as
+                         ///< `riffle new --resolved`
     int dimensions = 2;
     double spacing = 0.0;  ///< m
     double length = 0.0;   ///< m

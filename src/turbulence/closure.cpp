@@ -69,6 +69,39 @@ class CzernuszenkoRylov final : public Closure {
     bool walls_;
 };
 
+/// Smagorinsky's model for eddies that the particles resolve, its length damped over the bed's zero plane and
+/// beside side walls.
+class SmagorinskyClosure final : public Closure {
+  public:
+    explicit SmagorinskyClosure(const Case& c)
+        : t_(c.turbulence),
+          filter_width_(c.turbulence.filter_width.value_or(c.numerics.spacing)),
+          width_(c.channel.width),
+          walls_(c.has_side_walls()) {}
+
+    [[nodiscard]] double mixing_length(double z) const override { return beside(z - t_.zero); }
+    [[nodiscard]] double mixing_length_in(double z, double /*depth*/) const override {
+        return mixing_length(z);
+    }
+    void mixing_lengths(std::span<const double> z, std::span<double> result) const override {
+        assert(result.size() == z.size());
+        for (std::size_t i = 0; i < z.size(); ++i) result[i] = mixing_length(z[i]);
+    }
+    [[nodiscard]] bool varies_across() const override { return walls_; }
+    [[nodiscard]] double side_factor(double y) const override {
+        return walls_ ? beside(std::min(y, width_ - y)) / (t_.smagorinsky_constant * filter_width_) : 1.0;
+    }
+
+  private:
+    [[nodiscard]] double beside(double distance) const {
+        return smagorinsky_length(t_.smagorinsky_constant, filter_width_, t_.kappa, distance);
+    }
+
+    Turbulence t_;
+    double filter_width_, width_;
+    bool walls_;
+};
+
 /// A closure with the mixing length of a wall at the bed: `law` makes it of the closure, height and depth.
 template <class Law>
 class ClosureOverWall final : public Closure {
@@ -149,6 +182,10 @@ std::unique_ptr<const Closure> make_vreman(const Case& c) {
                                             c.turbulence.filter_width.value_or(c.numerics.spacing)));
 }
 
+std::unique_ptr<const Closure> make_smagorinsky(const Case& c) {
+    return std::make_unique<SmagorinskyClosure>(c);
+}
+
 std::unique_ptr<const Closure> make_none(const Case&) { return nullptr; }
 
 std::unique_ptr<const Closure> make_czernuszenko_rylov(const Case& c) {
@@ -165,6 +202,7 @@ constexpr std::array registry{
     Registration{ClosureKind::czernuszenko_rylov, make_czernuszenko_rylov},
     Registration{ClosureKind::wale, make_wale},
     Registration{ClosureKind::vreman, make_vreman},
+    Registration{ClosureKind::smagorinsky, make_smagorinsky},
 };
 
 /// The closure without the wall's part.

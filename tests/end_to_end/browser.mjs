@@ -9,6 +9,9 @@ export const check = (ok, what) => { if (!ok) failures.push(what); };
 // A browser that no longer makes frames of its pages: nothing comes into view in it. It is no fault of the page.
 class Stalled extends Error {}
 
+// A button is clicked when it stands still for two frames, so a browser that makes none lets the click run out of time.
+const may_have_stalled = error => error instanceof Stalled || error.name === 'TimeoutError';
+
 // Has a browser looked through, and another one where the first has stalled; three stalled ones are a failure.
 export async function look_through_a_browser(look) {
   for (let left = 2; ; --left) {
@@ -17,8 +20,8 @@ export async function look_through_a_browser(look) {
     try {
       return await look(browser);
     } catch (error) {
-      if (!(error instanceof Stalled) || left === 0) throw error;
-      console.error(`note: ${error.message}; the next one begins anew`);
+      if (!may_have_stalled(error) || left === 0) throw error;
+      console.error(`note: ${error.message.split('\n')[0]}; the next one begins anew`);
     } finally {
       await browser.close();
     }
@@ -29,6 +32,7 @@ export async function look_through_a_browser(look) {
 export async function open(browser, file, width, height, scheme) {
   const context = await browser.newContext({ viewport: { width, height }, colorScheme: scheme, offline: true, deviceScaleFactor: 1, acceptDownloads: true });
   const page = await context.newPage();
+  page.setDefaultTimeout(60_000);  // a frame of a long page takes seconds on a busy machine
   const where = `at ${width} px, ${scheme}`;
   page.on('console', message => { if (['error', 'warning'].includes(message.type())) failures.push(`${where}: console ${message.type()}: ${message.text()}`); });
   page.on('pageerror', error => failures.push(`${where}: script error: ${error.message}`));

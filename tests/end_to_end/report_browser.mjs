@@ -108,7 +108,7 @@ await look_through_a_browser(async browser => {
       const last = await source();
       await slider.fill('0');
       await page.waitForFunction(before => { const image = document.querySelector('#figure-field .imagelayer image'); return (image.getAttribute('href') || image.getAttribute('xlink:href')) !== before; },
-        last, { timeout: 10000 }).catch(() => check(false, `${where}: the slider shows no other snapshot`));
+        last, { timeout: 20000 }).catch(() => check(false, `${where}: the slider shows no other snapshot`));
       check(/t = 0 s/.test(await page.textContent('#figure-field .frames')), `${where}: the slider does not name the time of the snapshot`);
     }
     const plot = await page.$('#plot-field .nsewdrag');
@@ -119,7 +119,7 @@ await look_through_a_browser(async browser => {
     check(/Particle at x = .* u = /.test(await page.textContent('#figure-field .readout')), `${where}: no value under the pointer in the field picture`);
   }
   await page.click('#copy-case');
-  const copied = await page.waitForFunction(() => /Copied|Selected/.test(document.getElementById('copy-case').textContent), null, { timeout: 2000 }).catch(() => null);
+  const copied = await page.waitForFunction(() => /Copied|Selected/.test(document.getElementById('copy-case').textContent), null, { timeout: 20000 }).catch(() => null);
   check(copied, `${where}: the case cannot be copied`);
   if (await page.$('#plot-velocity_profile')) {
     const svg = await page.evaluate(() => Plotly.toImage(document.getElementById('plot-velocity_profile'), { format: 'svg', width: 600, height: 460 }));

@@ -270,6 +270,8 @@ class Outputs(CommandLineTest):
     def test_devices_and_links_stay(self):
         folder = self.run_small("run", 0.1)
         before = os.stat("/dev/null")
+        self.succeed("report", folder, "-o", "/dev/null")
+        self.assertFalse(os.path.exists("/dev/null-summary.json"))
         self.succeed("report", folder, "-o", "/dev/null", "--json", "/dev/null")
         after = os.stat("/dev/null")
         self.assertEqual((before.st_mode, before.st_rdev, before.st_ino), (after.st_mode, after.st_rdev, after.st_ino))

@@ -5,6 +5,8 @@ import shutil
 import subprocess
 from pathlib import Path
 
+import h5py
+
 from riffle_cli import CASE, RIFFLE, SMALL, SOURCE, CommandLineTest, every, main, start, until, wait_for
 
 
@@ -34,6 +36,22 @@ class Report(CommandLineTest):
         profile = SOURCE / "cases/laboratory/adv-profile.csv"
         self.succeed("report", folder, "--window", "0.4,0.9", "--measured", profile)
         self.fail_with(2, "report", folder, "--window", "5,9", says=["--window"])
+
+    def test_a_page_of_a_window_is_of_that_window_throughout(self):
+        """The quantities of the summary, the health rows and the findings of the analysis alike."""
+        folder = self.run_small("window", 1)
+        self.succeed("report", folder, "--window", "0.2,0.6")
+        summary = json.loads((folder / "summary.json").read_text())
+        self.assertEqual(summary["window"], {"start": 0.2, "end": 0.6})
+        found = {finding["key"]: finding["value"] for finding in summary["findings"]}
+        value = lambda key: summary["quantities"][key]["simulated"]["value"]
+        for quantity, finding in (("depth_mean_velocity", "depth_mean_velocity"), ("drag_over_gravity", "bed_drag_share"),
+                                  ("friction_velocity", "friction_velocity"), ("friction_factor", "friction_factor")):
+            self.assertAlmostEqual(value(quantity) / found[finding], 1, delta=1e-9, msg=quantity)
+        with h5py.File(folder / "results.h5") as file:
+            series = file["time_series"]
+            inside = (series["time"][:] > 0.2 - 1e-6) & (series["time"][:] < 0.6 + 1e-6)
+            self.assertAlmostEqual(value("mean_level"), series["mean_level"][:][inside].mean(), delta=1e-9)
 
     def test_a_laboratory_record_alone_gives_a_page_of_its_name(self):
         record = self.folder / "adv.csv"

@@ -5,7 +5,8 @@
 
 Each trial is a chain of kills (SIGKILL) of one kind:
 
-- run and resume, in two or three dimensions, with water that leaves the domain, results changed in place or written anew;
+- run and resume, in two or three dimensions, with water that leaves the domain or enters and leaves through open ends, results changed in
+  place or written anew;
 - resume --from checkpoint-previous.h5, killed as well;
 - a sweep, of whose runs each must end as it does alone;
 - while reports and verifications of the folder are made and killed too.
@@ -16,12 +17,14 @@ After each kill the results can be read to the last byte, every file that `riffl
 import shutil
 import time
 
-from survival import CASE, SMALL, Trials, call, contents, dam_case, differences, every, space_case, start, until
+from survival import CASE, SMALL, SOURCE, Trials, call, contents, dam_case, differences, every, space_case, start, until
 
 SECONDS = 3
 OFTEN = every(checkpoint=0.01, snapshot=0.25, series=0.01)
 SPACE_SECONDS = 1.2
 LOSSES_SECONDS = 1.5
+STREAM_SECONDS = 0.6
+STREAM = SOURCE / "cases/open-ends/uniform.toml"
 MOST_KILLS = 12
 IN_PLACE = {"RIFFLE_CHANGE_IN_PLACE_FROM": "0"}
 
@@ -132,7 +135,10 @@ def main():
     def losses(folder):
         return ["run", dam, "-o", folder, "-j", 1, "-q", *until(LOSSES_SECONDS), *OFTEN]
 
-    kinds = [Kind(trials, "plane", plane), Kind(trials, "plane-in-place", plane, IN_PLACE), Kind(trials, "losses", losses),
+    def stream(folder):
+        return ["run", STREAM, "-o", folder, "-j", 1, "-q", "--set", "numerics.spacing=3mm", *until(STREAM_SECONDS), *OFTEN]
+
+    kinds = [Kind(trials, "plane", plane), Kind(trials, "stream", stream), Kind(trials, "plane-in-place", plane, IN_PLACE), Kind(trials, "losses", losses),
              Kind(trials, "space-in-place", space, IN_PLACE), Kind(trials, "losses-in-place", losses, IN_PLACE)]
     for number in trials:
         folder = trials.folder / f"trial-{number}"

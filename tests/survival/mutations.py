@@ -63,7 +63,7 @@ def main():
         waiting.clear()
 
     for number in trials:
-        name = trials.random.choice(list(originals))
+        name = list(originals)[number % len(originals)]
         data, kind = mutate(originals[name], trials.random)
         if data == originals[name]:
             continue

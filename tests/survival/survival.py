@@ -93,5 +93,5 @@ def dam_case(folder):
     return path
 
 
-__all__ = ["CASE", "RIFFLE", "SMALL", "Trials", "call", "contents", "dam_case", "differences", "every", "in_memory", "space_case", "start",
+__all__ = ["CASE", "RIFFLE", "SMALL", "SOURCE", "Trials", "call", "contents", "dam_case", "differences", "every", "in_memory", "space_case", "start",
            "until"]

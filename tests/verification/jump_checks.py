@@ -63,9 +63,9 @@ def _one_jump(study, check, froude, axes, colour):
     exact = backwater(study, case, 0.0, "--discharge", f"{q} m2/s", "--upstream", "20mm", "--downstream", f"{tailwater}mm", "--length", str(length), "--stations", "1001")
     figures.exact(axes, x, exact(x), "riffle backwater" if froude == 3 else None)
     figures.simulated(axes, x, mean, f"Fr {froude} at the inflow, from {start} s on", colour, most=200)
+    account(check, flow)
     if froude == 3:
         check.best, check.cost = options_text(flow), flow.cost_text
-        account(check, flow)
 
 
 def jump(study):

@@ -33,9 +33,9 @@ def overfall(study):
         check.norm(f"depth over the edge against 0.715 h_c, {critical / flow.spacing:.0f} rows of h_c", float(depth[0] / 0.715 - 1), 0.03)
         check.norm(f"where the depth is critical, in h_c before the edge, {critical / flow.spacing:.0f} rows (3 to 4, Henderson 1966)",
                    float(numpy.interp(1.0, depth, before)), None, "", 2)
+        account(check, flow)
         if spacing == 5:
             check.best, check.cost = options_text(flow), flow.cost_text
-            account(check, flow)
     check.figures.append((figure.svg(check.name), "Depth along the channel before its edge, from the area of the particles."))
     return check
 
@@ -75,9 +75,9 @@ def _weir(study, name, title, author, law, heads):
         discharges.append(q)
         laws.append(law(gravity, measured, measured + (q / level) ** 2 / (2 * gravity)))
         check.norm(f"discharge, {1e3 * head:.0f} mm of head expected, {head / flow.spacing:.0f} rows", q / laws[-1] - 1, 0.03)
+        account(check, flow)
         if len(laws) == 3 or study.quick:
             check.best, check.cost = options_text(flow), flow.cost_text
-            account(check, flow)
     figure = figures.Figure(1, width=6)
     axes = figure.panel("head over the crest (mm)", "unit discharge (l/s per m)", "")
     figures.exact(axes, 1e3 * numpy.array(measured_heads), 1e3 * numpy.array(laws), author)

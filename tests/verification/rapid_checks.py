@@ -51,9 +51,9 @@ def step(study):
         velocity = flow.parameters["inflow"]["unit_discharge"] / (flow.depth - height)
         figures.exact(axes, [length], [0], "Erturk (2008)" if number == 0 else None, figures.COLOURS[number], marker="o", linestyle="none")
         figures.simulated(axes, behind[shown], shear[shown] * height / velocity, f"Re {reynolds}", figures.COLOURS[number], most=200)
+        account(check, flow)
         if reynolds == 200:
             check.best, check.cost = options_text(flow), flow.cost_text
-            account(check, flow)
     check.figures.append((figure.svg(check.name), "Shear at the wall behind the step; where it is zero the water comes back to the wall."))
     return check
 

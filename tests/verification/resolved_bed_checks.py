@@ -44,6 +44,7 @@ class Bed:
             count = sums[:, 0]
             held = count > 0.02 * count.max()
             of = dict(zip(blocks.attrs["quantities"].decode().split(), (sums[held] / count[held, None]).T))
+            self.summary = dict(file["summary"].attrs)  # of the case's own window
         series = self.run.series
         self.time, self.velocity, self.levels = series["time"], series["depth_mean_velocity"], series["mean_level"]
         self.level = self.levels[(self.time > window[0]) & (self.time <= window[1])].mean()
@@ -79,6 +80,10 @@ class Bed:
         line = (self.level - self.z[above]) / (self.level - self.crest)
         return numpy.sqrt(((self.stress[above] / self.friction_velocity**2 - line) ** 2).mean())
 
+    def surface_velocity(self):
+        """U of the uppermost row that is full."""
+        return self.u[-1]
+
     def level_change(self, early, late):
         mean = lambda span: self.levels[(self.time >= span[0]) & (self.time <= span[1])].mean()
         return mean(late) / mean(early) - 1
@@ -106,8 +111,14 @@ def _norms(check, bed):
     for axis in "uvw":
         check.norm(f"{axis}' against Nezu's law, 0.1 to 0.8 of the depth, rms; {name}", bed.intensity_error(axis), 0.15)
     check.norm(f"-<u'w'> against the weight of the water above, over that at the crests, rms; {name}", bed.stress_error())
+    check.norm(f"total stress against the line, over that at the crests, rms, in the case's own window; {name}", bed.summary["stress_error_rms"], 0.02)
     check.norm(f"standard deviation of the surface against the measured {1e3 * measured.surface:.2f} mm; {name}",
                bed.findings["plan_standard_deviation"] / measured.surface - 1, 0.3)
+    for key, way in (("ridge", "by the ridge of the (k, omega) spectrum"), ("crests", "by crests that are followed")):
+        if f"celerity_{key}" in bed.findings:
+            check.norm(f"celerity of the surface's patterns over the velocity of the surface, less one, {way}; {name}",
+                       bed.findings[f"celerity_{key}"] / bed.surface_velocity() - 1, 0.1)
+    check.norm(f"what the scheme itself adds to the energy, of the input; {name}", bed.findings["energy_share_scheme"], 0.1)
     check.norm(f"force on the bed and change of the momentum against the weight; {name}", bed.force_balance() - 1, 0.01)
     check.norm(f"mean level, last 4 s against 4 to 8 s; {name}", bed.late_level_change(), 0.005)
     check.norm(f"independent samples of U in the window; {name}", bed.findings["effective_samples"], unit="")
@@ -158,7 +169,7 @@ def resolved_bed(study):
     long = {"run.until": '"50 s"', "run.average_from": '"20 s"'}
     folder = "cases/rough-bed-3d/"
     beds = [Bed(study, "resolved_bed-drag", "condition 2, drag", folder + "resolved-eddies.toml", long, (20, 50), 6e-3, 10e-3, CONDITION_2),
-            Bed(study, "resolved_bed-spheres", "condition 2, solid spheres", folder + "resolved-spheres.toml", {"run.until": '"62 s"'}, (20, 62), 8.5e-3, 12.5e-3,
+            Bed(study, "resolved_bed-spheres", "condition 2, solid spheres", folder + "resolved-spheres.toml", {"run.until": '"62 s"', "run.average_from": '"20 s"'}, (20, 62), 8.5e-3, 12.5e-3,
                 CONDITION_2),
             Bed(study, "resolved_bed-condition_5", "condition 5, drag", folder + "resolved-condition-5.toml", {}, (36, 70), 6e-3, 10e-3, CONDITION_5)]
     return _finished(check, beds, beds[1])

@@ -65,7 +65,7 @@ def cylinder(study):
         if spacing is None:
             check.norm(f"{name}: momentum between the ends that the budget leaves open", _budget(study, flow), 0.01)
             check.best, check.cost = options_text(flow), flow.cost_text
-            account(check, flow)
+        account(check, flow)
     if study.quick:
         return check
     flow = study.run("cylinder_re100", "cases/solids/cylinder-re100.toml")

@@ -50,6 +50,16 @@ TEST(DischargeDrift, AMeanThatDriftsHasNoInterval) {
     EXPECT_THAT(discharge.remark, ::testing::ContainsRegex("it changes by .(1.9|2|2.1) % over the window"));
 }
 
+// Of less than run.tolerance, half a per cent.
+TEST(DischargeDrift, AMeanThatIsAsSteadyAsAskedForIsKnownToItsChange) {
+    const Finding steady = discharge_with(0.004);
+    ASSERT_TRUE(steady.half_width.has_value());
+    // The noise of 1 % leaves the change open by a third of it.
+    EXPECT_NEAR(*steady.half_width, 0.004 * 0.05, 0.0014 * 0.05);
+    EXPECT_GT(*steady.half_width, 2.0 * *discharge_with(0.0).half_width);
+    EXPECT_EQ(steady.remark, "");
+}
+
 TEST(DischargeDrift, AMeanThatStaysHasOne) {
     const Finding discharge = discharge_with(0.0);
     EXPECT_TRUE(discharge.half_width.has_value());

@@ -273,6 +273,17 @@ TEST(SolidMesh, ShellsThatOverlapAreOneSolid) {
         EXPECT_FALSE(mesh.contains({2.5, 0.1, 0.5}));
         // The face of b at x = 1 lies in a, where no water is.
         EXPECT_NEAR(mesh.nearest({1.05, 0.5, 0.5})->distance, 0.5, 1e-12);
+        // In both, beside the corner in which they meet: its line is the way out, though it is no edge of
+        // either.
+        const auto corner = mesh.nearest({1.9, 0.7, 0.5});
+        ASSERT_TRUE(corner.has_value());
+        EXPECT_NEAR(corner->distance, std::hypot(0.1, 0.05), 1e-12);
+        EXPECT_NEAR(corner->direction[0], 0.1 / std::hypot(0.1, 0.05), 1e-12);
+        EXPECT_NEAR(corner->direction[1], 0.05 / std::hypot(0.1, 0.05), 1e-12);
+        // On the line itself, out of both.
+        const auto on_line = mesh.nearest({2.0, 0.75, 0.5});
+        EXPECT_NEAR(on_line->distance, 0.0, 1e-12);
+        EXPECT_GT(on_line->direction[0] + on_line->direction[1], 0.99);
     }
 }
 

@@ -307,6 +307,8 @@ TEST(Warnings, EachRowHasACase) {
             "outflow.depth = 50 mm; start.kind = backwater"),
         with_keys(with_solid(),
                   "channel.dimensions = 3; solid[0].motion = constant; solid[0].velocity_z = 3"),
+        with_keys(with_solid(), "solid[0].z = [2, 2, 2.1, 2.1]"),
+        with_keys(test::with_shape(SolidShape::trapezoid), "bed_patch[0].name = strip"),
     };
     std::set<const CaseCheck*> met;
     for (const Case& c : cases) {

@@ -374,8 +374,12 @@ TEST(FlowAtEnds, AProfileOfAPartOfTheDepthIsTold) {
     EXPECT_THAT(text_of(c),
                 HasSubstr("adv.csv gives u from 20 mm to 30 mm over the datum alone: its lowest u goes on "
                           "down to -6 mm, the bottom, its highest up to 50 mm, the surface"));
-    std::ofstream(c.inflow.profile_file) << "z [mm],u [m/s]\n-5.5,0.1\n30,0.35\n49.5,0.4\n";
+    std::ofstream(c.inflow.profile_file)
+        << "z [mm],u [m/s]\n-5.5,0.1\n3,0.2\n12,0.25\n21,0.3\n30,0.35\n39,0.38\n49.5,0.4\n";
     EXPECT_THAT(text_of(c), Not(HasSubstr("profile")));
+    std::ofstream(c.inflow.profile_file) << "z [mm],u [m/s]\n-5.5,0.1\n5,0.2\n45,0.38\n49.5,0.4\n";
+    EXPECT_THAT(text_of(c),
+                HasSubstr("adv.csv: between 5 mm and 45 mm it has no point, and u goes straight"));
     std::ofstream(c.inflow.profile_file) << "z,u\n0,0\n20,0.3\n45,0.35\n";  // meant in mm, read in m
     EXPECT_THAT(error_of_ends(c),
                 HasSubstr("2 of its 3 heights, 0 m to 45 m over the datum, lie outside of the water"));

@@ -82,6 +82,11 @@ TEST(Kinds, ASteadyUniformChannelIsGood) {
     const Verdict verdict = verdict_of(channel(), analysis);
     EXPECT_EQ(verdict.mark, Health::good);
     EXPECT_EQ(verdict.headline, "The run has converged and is healthy.");
+    // No interval of one run is better than what other starts tell.
+    EXPECT_THAT(text_of(verdict), HasSubstr("known to 0.2 %"));
+    ReportData wide = channel();
+    wide.summary.set(fields::summary.depth_mean_velocity_half_width, 3e-3);
+    EXPECT_THAT(text_of(verdict_of(wide, analysis)), Not(HasSubstr("known to 0.2 %")));
 }
 
 TEST(Kinds, AFluctuationThatGrowsOrTooFewSamplesAreNotGood) {
@@ -140,14 +145,15 @@ TEST(Kinds, StonesThatEndAlongTheChannelAreNotMissedByTheBudget) {
 
 TEST(Kinds, AGrowthThatItsIntervalDoesNotKnowFromNoneIsNotShownAsANumber) {
     Analysis analysis;
-    analysis.findings = {finding("effective_samples", 42), finding("velocity_fluctuation_growth", 18545.0)};
-    analysis.findings.back().half_width = 20000.0;
+    analysis.findings = {finding("effective_samples", 42), finding("velocity_fluctuation_growth", 18545.0),
+                         finding("velocity_fluctuation_growth_least", -0.9)};
     const std::vector<Diagnostic> unknown = diagnose(channel(), analysis);
     ASSERT_NE(row(unknown, "fluctuation_growth"), nullptr);
     EXPECT_THAT(row(unknown, "fluctuation_growth")->value, HasSubstr("not told apart"));
     EXPECT_EQ(row(unknown, "fluctuation_growth")->mark, Health::good);
-    analysis.findings.back().half_width = 100.0;
+    analysis.findings.back().value = 18000.0;
     EXPECT_EQ(row(diagnose(channel(), analysis), "fluctuation_growth")->mark, Health::bad);
+    EXPECT_EQ(row(diagnose(channel(), analysis), "fluctuation_growth")->value, "1.85e+04-fold");
 }
 
 TEST(Kinds, BodiesBookTheirDragAndHaveNoTwin) {

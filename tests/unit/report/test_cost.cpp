@@ -41,8 +41,8 @@ TEST_F(Costs, StandBesideTheThesisInTheSameDimensions) {
     EXPECT_THAT(row("dimensions"), ::testing::ElementsAre("2", "3"));
     // 87.5 s for 30 s.
     EXPECT_THAT(row("seconds_per_second"), ::testing::ElementsAre("2.9 s", "2.9 s"));
-    // 6 days for 130 s and 70 days for 6 s over these.
-    EXPECT_THAT(row("speed_up"), ::testing::ElementsAre("1.37e+03", "3.46e+05"));
+    EXPECT_THAT(row("thesis"), ::testing::ElementsAre(::testing::StartsWith("6 days for 130 s"),
+                                                      ::testing::StartsWith("70 days for 6 s")));
     EXPECT_TRUE(cost_rows(collect_runs({{folder_ / "plane.h5", {}}})).empty());
 }
 

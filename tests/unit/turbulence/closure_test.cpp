@@ -74,6 +74,30 @@ TEST(Sps, UsesTheFilterWidthOfTheCase) {
     EXPECT_DOUBLE_EQ(make_closure(c)->mixing_length(0.03), 0.15 * 0.002);
 }
 
+TEST(Smagorinsky, IsDampedAtTheBedAndBesideSideWalls) {
+    Case c = rough_bed();
+    c.channel.dimensions = 3;
+    c.channel.width = 0.5;
+    c.channel.sides = Sides::walls;
+    c.turbulence.closure = ClosureKind::smagorinsky;
+    c.turbulence.smagorinsky_constant = 0.17;
+    c.turbulence.zero = 0.004;
+    c.numerics.spacing = 0.003;
+    const auto closure = make_closure(c);
+    const double of_filter = 0.17 * 0.003;
+    EXPECT_EQ(closure->mixing_length(0.004), 0.0);
+    EXPECT_EQ(closure->mixing_length(-0.01), 0.0);
+    // Close to the zero plane kappa z, far from it that of the filter, where both are alike a root of it.
+    EXPECT_NEAR(closure->mixing_length(0.004 + 1e-6), c.turbulence.kappa * 1e-6, 1e-12);
+    EXPECT_NEAR(closure->mixing_length(1.0), of_filter, 1e-6 * of_filter);
+    EXPECT_NEAR(closure->mixing_length(0.004 + of_filter / c.turbulence.kappa), of_filter / std::sqrt(2.0),
+                1e-12);
+    EXPECT_TRUE(closure->varies_across());
+    EXPECT_NEAR(closure->side_factor(0.25), 1.0, 1e-4);
+    EXPECT_NEAR(closure->side_factor(0.5 - 1e-6), c.turbulence.kappa * 1e-6 / of_filter, 1e-6);
+    EXPECT_EQ(closure->side_factor(0.0), 0.0);
+}
+
 TEST(Closure, NoneIsLaminar) {
     Case c = rough_bed();
     c.turbulence.closure = ClosureKind::none;
