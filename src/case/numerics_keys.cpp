@@ -31,7 +31,7 @@ SectionKeys numerics_keys() {
             .at_most(4)
             .with_default_note(
                 "2 in two dimensions over spheres, beds by roughness and smooth ones, and with patches of the bed or vegetation; with porous "
-                "zones 2.5 in two dimensions and 2 in three; 1.83 and 1.65 in basins beside inclined faces (see "
+                "zones 2.5 in two dimensions and 2 in three; 1.83 and 1.65 in basins beside inclined faces or at rest (see "
                 "`pressure_correction_time`)")
             .because("fewer neighbours do not sum up, more are not worth their time"));
     s.keys.push_back(
@@ -65,7 +65,7 @@ SectionKeys numerics_keys() {
             .measured_in(time)
             .at_least(0)
             .with_default_note("0; in basins without slope beside inclined faces, where nothing turns, "
-                               "goes one way or is free, 100 s or three times the run")
+                               "goes one way or is free, and in plane ones where nothing moves the water, 100 s or three times the run")
             .applies_with("numerics.pressure_form", {"corrected"}));
     s.keys.push_back(key("density_diffusion", &Numerics::density_diffusion,
                          "Diffusion in the continuity equation, against noise in the pressure."));

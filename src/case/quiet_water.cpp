@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "case/flow_kind.hpp"
+#include "case/outline.hpp"
 #include "case/solid_mesh.hpp"
 
 namespace riffle::inline case_file {
@@ -51,6 +52,81 @@ bool stays_dry(const Case& c, const Solid& solid) {
     return lowest >= c.total_depth();
 }
 
+/// The water of a plane case at its start in cells of a spacing.
+class WaterCells {
+  public:
+    explicit WaterCells(const Case& c) : c_(c) {
+        double top = c.total_depth();
+        for (const double z : c.start.water_z) top = std::max(top, z);
+        columns_ = static_cast<int>(std::ceil(c.channel.length / c.numerics.spacing));
+        rows_ = static_cast<int>(std::ceil(top / c.numerics.spacing)) + 1;
+        if (!c.start.water_x.empty()) water_ = Outline{c.start.water_x, c.start.water_z};
+        for (int i = 0; i < columns_; ++i) {
+            for (int k = 0; k < rows_; ++k) cells_.push_back(find(i, k));
+        }
+    }
+
+    /// Whether each pool of it has one level, and walls, solids or water on either side and below.
+    [[nodiscard]] bool rests() {
+        for (int i = 0; i < columns_; ++i) {
+            for (int k = 0; k < rows_; ++k) {
+                if (at(i, k) == Cell::water && !pool_rests(i, k)) return false;
+            }
+        }
+        return true;
+    }
+
+  private:
+    enum class Cell : char { air, water, seen, solid };
+
+    [[nodiscard]] Cell find(int i, int k) const {
+        const double x = (i + 0.5) * c_.numerics.spacing;
+        const double z = (k + 0.5) * c_.numerics.spacing;
+        const bool in_solid = std::any_of(c_.solids.begin(), c_.solids.end(), [&](const Solid& solid) {
+            return contains(Outline{solid.x, solid.z}, x, z);
+        });
+        if (in_solid) return Cell::solid;
+        const bool wet = water_.size() > 0 ? contains(water_, x, z) : z < c_.total_depth();
+        return wet ? Cell::water : Cell::air;
+    }
+    [[nodiscard]] Cell& at(int i, int k) {
+        return cells_[static_cast<std::size_t>(i) * static_cast<std::size_t>(rows_) +
+                      static_cast<std::size_t>(k)];
+    }
+    [[nodiscard]] bool is_air(int i, int k) {
+        return i >= 0 && i < columns_ && k >= 0 && (k >= rows_ || at(i, k) == Cell::air);
+    }
+
+    /// Of all cells that hang together with one.
+    bool pool_rests(int i, int k) {
+        std::vector<std::array<int, 2>> pending{{i, k}};
+        at(i, k) = Cell::seen;
+        std::optional<int> surface;
+        while (!pending.empty()) {
+            const auto [x, z] = pending.back();
+            pending.pop_back();
+            if (is_air(x - 1, z) || is_air(x + 1, z) || is_air(x, z - 1)) return false;
+            if (is_air(x, z + 1) && surface.value_or(z) != z) return false;
+            if (is_air(x, z + 1)) surface = z;
+            for (const auto& [dx, dz] : {std::array{-1, 0}, {1, 0}, {0, -1}, {0, 1}}) {
+                const int beside = x + dx;
+                const int over = z + dz;
+                if (beside < 0 || beside >= columns_ || over < 0 || over >= rows_) continue;
+                if (at(beside, over) != Cell::water) continue;
+                at(beside, over) = Cell::seen;
+                pending.push_back({beside, over});
+            }
+        }
+        return true;
+    }
+
+    const Case& c_;
+    Outline water_;
+    int columns_ = 0;
+    int rows_ = 0;
+    std::vector<Cell> cells_;
+};
+
 bool comes_back(const Solid& solid) {
     return solid.rests() || (solid.motion == SolidMotion::oscillating && solid.amplitude_angle == 0.0);
 }
@@ -83,9 +159,24 @@ bool is_quiet_beside_inclined_faces(const Case& c) {
            });
 }
 
+bool is_still(const Case& c) {
+    const bool at_rest =
+        std::all_of(c.solids.begin(), c.solids.end(), [](const Solid& solid) { return solid.rests(); });
+    if (c.channel.dimensions != 2 || flow_kind(c) != FlowKind::tank || c.channel.ends != Ends::walls ||
+        c.streamwise_gravity() != 0.0 || c.channel.lid_velocity != 0.0 ||
+        c.channel.top != Top::free_surface || !(c.fluid.gravity > 0.0) || !at_rest || !c.porous.empty() ||
+        c.start.kind != StartKind::rest) {
+        return false;
+    }
+    constexpr double most_cells = 1e6;
+    const double cells = c.channel.length * c.total_depth() / (c.numerics.spacing * c.numerics.spacing);
+    return c.start.water_x.empty() || (cells < most_cells && WaterCells(c).rests());
+}
+
 void choose_for_quiet_water(Case& c, const GivenNumerics& given) {
     Numerics& n = c.numerics;
-    if (n.preset != Preset::riffle || n.wall != WallKind::dummy || !is_quiet_beside_inclined_faces(c)) return;
+    if (n.preset != Preset::riffle || n.wall != WallKind::dummy) return;
+    if (!is_quiet_beside_inclined_faces(c) && !is_still(c)) return;
     const bool space = c.channel.dimensions == 3;
     if (!given.lattice) c.start.lattice = quiet_lattice(c);
     // The smoothing length goes with that lattice alone.
@@ -105,7 +196,8 @@ void choose_for_quiet_water(Case& c, const GivenNumerics& given) {
 }
 
 std::optional<std::string> quiet_water_note(const Case& c) {
-    if (!is_quiet_beside_inclined_faces(c)) return std::nullopt;
+    const bool beside_faces = is_quiet_beside_inclined_faces(c);
+    if (!beside_faces && !is_still(c)) return std::nullopt;
     const Numerics& n = c.numerics;
     std::vector<std::string> chosen;
     if (c.start.lattice == quiet_lattice(c)) {
@@ -123,7 +215,8 @@ std::optional<std::string> quiet_water_note(const Case& c) {
         chosen.push_back(fmt::format("{:.3g} s to settle before the run", c.start.settling_time));
     }
     if (chosen.empty()) return std::nullopt;
-    return fmt::format("{}: the defaults beside inclined faces", fmt::join(chosen, ", "));
+    return fmt::format("{}: the defaults {}", fmt::join(chosen, ", "),
+                       beside_faces ? "beside inclined faces" : "where nothing moves the water");
 }
 
 }  // namespace riffle::inline case_file

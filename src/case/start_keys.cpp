@@ -41,7 +41,8 @@ SectionKeys start_keys() {
     s.keys.push_back(
         key("lattice", &Start::lattice, "Arrangement of the particles at the start.")
             .with_default_note("square; hexagonal, in three dimensions body-centred, in basins beside "
-                               "inclined faces (see `numerics.pressure_correction_time`)"));
+                               "inclined faces, in plane ones also where nothing moves the water (see "
+                               "`numerics.pressure_correction_time`)"));
     const auto water = [&](const char* name, auto member, const char* meaning, const char* example) {
         return key(name, member, meaning)
             .measured_in(length)

@@ -63,6 +63,32 @@ def wedge(study):
     return check
 
 
+def two_pools(study):
+    check = Check("two_pools", "A wall between two pools",
+                  "Water of its own viscosity, 300 mm before a wall and 100 mm behind it, with the default numerics: upright faces alone, which cut no rows, and still the square lattice "
+                  "gives way. Force on the wall: that of the two triangles of pressure. Snapshots of each 0.1 s.")
+    case = "cases/checks/two-pools.toml"
+    flow = study.run(check.name, case)
+    largest, rms = flow.speeds(5.0, 10.1)
+    check.norm("largest speed of any particle, 5 to 10 s, over √(gH)", largest, 1e-2, "", 3)
+    check.norm("rms of the speeds, 5 to 10 s, over √(gH)", rms, 2e-3, "", 3)
+    forces = flow.forces
+    late = forces["time"] > 5.0
+    exact_force = 0.5 * flow.density * flow.gravity_z * (0.3**2 - 0.1**2)
+    force = forces["solid_force_1"][late]
+    check.norm("force on the wall against that of the two pools", force.mean() / exact_force - 1, 0.01)
+    check.norm("standard deviation of that force, over it", force.std() / exact_force)
+    if not study.quick:
+        compare_options(study, check, case, {
+            "correction of each moment": {"numerics.pressure_correction_time": '"0 s"'},
+            "square lattice, h = 1.5 dx": {"start.lattice": "square"},
+            "square lattice, h = 1.5 dx, correction of each moment": {"start.lattice": "square", "numerics.pressure_correction_time": '"0 s"'}},
+            flow, lambda f: f.speeds(5.0, 10.1)[0], "largest speed / √(gH), 5 to 10 s")
+    check.best, check.cost = options_text(flow), flow.cost_text
+    check.budgets_of(flow, energy=False)
+    return check
+
+
 def beach_at_rest(study):
     check = Check("beach_at_rest", "Still water on a beach",
                   "A beach of 1:5 in a closed tank, whose face cuts the rows of particles at a small angle, and water of its own viscosity. The start "
@@ -406,5 +432,5 @@ def step(study):
     return check
 
 
-CHECKS = {"tank": tank, "wedge": wedge, "beach_at_rest": beach_at_rest, "standing_wave": wave, "sloshing": sloshing, "drop": drop, "dam_break": dam_break,
+CHECKS = {"tank": tank, "wedge": wedge, "two_pools": two_pools, "beach_at_rest": beach_at_rest, "standing_wave": wave, "sloshing": sloshing, "drop": drop, "dam_break": dam_break,
           "collapse": collapse, "step": step}

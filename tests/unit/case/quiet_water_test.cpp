@@ -82,7 +82,28 @@ TEST(QuietWater, SaysWhatItHas) {
         quiet_water_note(read(beach)).value_or(""),
         "hexagonal lattice, h = 1.83 dx, mean of the pressure's correction over 100 s: the defaults beside "
         "inclined faces");
-    EXPECT_FALSE(quiet_water_note(read(step)));
+    EXPECT_THAT(quiet_water_note(read(step)).value_or(""),
+                HasSubstr("the defaults where nothing moves the water"));
+    EXPECT_FALSE(quiet_water_note(read(step, {{"channel.slope", "0.01"}})));
+}
+
+// Two pools of other levels at a wall rest; water that stands in the open, or is connected below the wall,
+// does not.
+TEST(QuietWater, KnowsWhetherAnythingMovesTheWater) {
+    const std::string wall = "x = [0.45, 0.55, 0.55, 0.45]\nz = [0.0, 0.0, 0.2, 0.2]\n";
+    const auto with_water = [&](const std::string& solid, const std::string& x, const std::string& z) {
+        return is_still(read(solid, {{"start.water_x", x}, {"start.water_z", z}}));
+    };
+    const std::string behind_each_other = "[0, 1, 1, 0.55, 0.45, 0]";
+    EXPECT_TRUE(with_water(wall, behind_each_other, "[0, 0, 0.03, 0.03, 0.09, 0.09]"));
+    EXPECT_FALSE(with_water("x = [0.7, 0.75, 0.75, 0.7]\nz = [0, 0, 0.1, 0.1]\n", behind_each_other,
+                            "[0, 0, 0.03, 0.03, 0.09, 0.09]"));
+    const std::string hanging = "x = [0.45, 0.55, 0.55, 0.45]\nz = [0.02, 0.02, 0.2, 0.2]\n";
+    EXPECT_FALSE(with_water(hanging, behind_each_other, "[0, 0, 0.03, 0.03, 0.09, 0.09]"));
+    EXPECT_TRUE(with_water(hanging, "[0, 1, 1, 0]", "[0, 0, 0.09, 0.09]"));
+    EXPECT_FALSE(with_water(wall, "[0, 0.4, 0.4, 0]", "[0, 0, 0.09, 0.09]"));
+    EXPECT_FALSE(with_water(wall, "[0, 0.2, 0.2, 0]", "[0.03, 0.03, 0.09, 0.09]"));
+    EXPECT_FALSE(is_still(read(wall + "motion = \"constant\"\nvelocity_x = \"5 mm/s\"\nstop = \"2 s\"\n")));
 }
 
 TEST(QuietWater, KnowsNothingOfWhatStandsAboveIt) {
@@ -105,7 +126,9 @@ TEST(QuietWater, IsADefaultInTheTemplateOfACase) {
 
 TEST(QuietWater, IsThatOfBasinsWithInclinedFacesAlone) {
     EXPECT_FALSE(is_quiet_beside_inclined_faces(read(step)));
-    EXPECT_EQ(read(step).numerics.pressure_correction_time, 0.0);
+    EXPECT_EQ(read(step, {{"channel.slope", "0.001"}, {"channel.ends", "periodic"}})
+                  .numerics.pressure_correction_time,
+              0.0);
     const std::string leaving = "motion = \"constant\"\nvelocity_x = \"5 mm/s\"\nstop = \"2 s\"\n";
     const std::string plate = "x = [0.5, 0.6, 0.6]\nz = [0.05, 0.08, 0.02]\n";
     // What is driven steadily needs the pressure corrected at each moment.

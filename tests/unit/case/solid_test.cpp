@@ -62,7 +62,7 @@ TEST(Solids, OutlinesMustBeSimplePolygons) {
 
 TEST(Solids, NeedRoomForTheirLayersAndAPlaceInTheChannel) {
     EXPECT_THAT(error_of(with_solid("[0.08, 0.084, 0.084, 0.08]", "[0, 0, 0.03, 0.03]")),
-                HasSubstr("thinner than 3 layers of wall particles (6 mm)"));
+                HasSubstr("thinner than 4 layers of wall particles (8 mm)"));
     // What tapers off on the bed has no water behind it.
     EXPECT_EQ(error_of(with_solid("[0.06, 0.1, 0.14]", "[0, 0.02, 0]")), "");
     EXPECT_THAT(error_of(with_solid("[0.06, 0.1, 0.14]", "[0.03, 0.034, 0.03]")), HasSubstr("thinner than"));
