@@ -64,8 +64,9 @@ SectionKeys numerics_keys() {
             "0: the correction of each moment, which keeps disordered water in motion.")
             .measured_in(time)
             .at_least(0)
-            .with_default_note("0; in basins without slope beside inclined faces, where nothing turns, "
-                               "goes one way or is free, and in plane ones where nothing moves the water, 100 s or three times the run")
+            .with_default_note(
+                "0; in basins without slope beside inclined faces, where nothing turns, "
+                "goes one way or is free, and in plane ones where nothing moves the water, 100 s or three times the run")
             .applies_with("numerics.pressure_form", {"corrected"}));
     s.keys.push_back(key("density_diffusion", &Numerics::density_diffusion,
                          "Diffusion in the continuity equation, against noise in the pressure."));

@@ -17,9 +17,9 @@ namespace riffle::inline case_file {
 /// motion (docs/theory.md, section 5), and no mean flow needs the pressure corrected at each moment.
 [[nodiscard]] bool is_quiet_beside_inclined_faces(const Case& c);
 
-/// Whether nothing can move the water of a plane basin: it starts at rest, level in each of its pools, between walls
-/// and solids that rest. The square lattice gives way under it, and the pressure of each moment drives what has left
-/// its place.
+/// Whether nothing can move the water of a plane basin: it starts at rest, level in each of its pools,
+/// between walls and solids that rest. The square lattice gives way under it, and the pressure of each moment
+/// drives what has left its place.
 [[nodiscard]] bool is_still(const Case& c);
 
 /// Choose what keeps such water quiet, with the preset of Riffle's own numerics, where the case does not: the

@@ -129,7 +129,10 @@ void require_subcritical_outflow(const Case& c, const EndInput& input, double fl
         holding.what, level(held_at(worst)), input.unit_discharge->at(worst), worst,
         level(critical_at(worst)), holding.cure);
     if (holding.by_file) throw FileError(message);
-    throw InputError(message);
+    const std::string asking = !c.inflow.discharge_file.empty() ? c.inflow.discharge_file.string()
+                               : c.path.empty()                 ? "the case"
+                                                                : c.path.string();
+    throw InputError(fmt::format("{}: {}", asking, message));
 }
 
 void require_room(const Case& c, const std::string& asking, const std::string& what, double level) {
