@@ -136,7 +136,7 @@ def main():
         return ["run", dam, "-o", folder, "-j", 1, "-q", *until(LOSSES_SECONDS), *OFTEN]
 
     def stream(folder):
-        return ["run", STREAM, "-o", folder, "-j", 1, "-q", "--set", "numerics.spacing=3mm", *until(STREAM_SECONDS), *OFTEN]
+        return ["run", STREAM, "-o", folder, "-j", 1, "-q", "--set", "numerics.spacing=3mm", "--set", 'run.average_from="0.3 s"', *until(STREAM_SECONDS), *OFTEN]
 
     kinds = [Kind(trials, "plane", plane), Kind(trials, "stream", stream), Kind(trials, "plane-in-place", plane, IN_PLACE), Kind(trials, "losses", losses),
              Kind(trials, "space-in-place", space, IN_PLACE), Kind(trials, "losses-in-place", losses, IN_PLACE)]
