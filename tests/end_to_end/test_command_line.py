@@ -225,6 +225,12 @@ class CommandLine(CommandLineTest):
         for depth in ("80mm", "0.08", "80m"):
             self.assertNotIn("meant", self.succeed("backwater", CASE, "--downstream", depth).stderr)
 
+    def test_backwater_by_a_given_friction_is_that_of_a_wide_rectangle_alone(self):
+        for name in ("canal", "pipe"):
+            self.fail_with(2, "backwater", SOURCE / f"cases/plane-beds/{name}.toml", "--manning", "0.013", says=["wide rectangle", "riffle check"])
+        said = self.succeed("backwater", SOURCE / "cases/vegetation/submerged.toml", "--manning", "0.03").stdout
+        self.assertIn("the stems of the case take no part", " ".join(said.split()))
+
     def test_progress_shows_no_numbers_before_they_are_recorded(self):
         said = self.succeed("run", CASE, "-o", self.folder / "out", *SMALL, *until(0.2), *every(progress=0.001),
                             "--set", "output.series_interval=0.15").stderr
