@@ -317,8 +317,9 @@ RunProbes read_probes(const RunResults& results, const Case& c, const TimeWindow
         } else if (kind == "pressure") {
             read_gauges(group, probes);
         } else {
-            probes.warnings.push_back("instrument " + name + ": its kind \"" + kind +
-                                      "\" is not one that this version of Riffle analyses");
+            probes.warnings.push_back(
+                fmt::format("instrument {}: its kind \"{}\" is not one that this version of Riffle analyses",
+                            name, kind));
         }
     }
     return probes;

@@ -58,10 +58,10 @@ Numbers window_summary(const RunRecord& record) {
     const std::array tested{of.converged, of.remaining_drift, of.velocity_fluctuation_growth,
                             of.velocity_fluctuation_growth_least};
     Numbers summary;
-    for (const auto& [name, value] : all.all()) {
-        const bool of_test =
-            std::any_of(tested.begin(), tested.end(), [&](const Field& field) { return field.name == name; });
-        if (!of_test) summary.set(name, value);
+    for (const auto& number : all.all()) {
+        const bool of_test = std::any_of(tested.begin(), tested.end(),
+                                         [&](const Field& field) { return field.name == number.first; });
+        if (!of_test) summary.set(number.first, number.second);
     }
     return summary;
 }

@@ -197,7 +197,7 @@ CheckList solid_warnings() {
          "a weir in an open channel with a mixing length by the strain rate",
          "the water that is drawn together before a crest strains and hardly turns, and the eddy viscosity brakes it: a "
          "sharp-crested weir passes too much at its head (docs/open-ends.md, Weirs with a mixing length)",
-         "choose closure = \"none\" over a bed that allows it, or eddy_rate = \"rotation\"",
+         R"(choose closure = "none" over a bed that allows it, or eddy_rate = "rotation")",
          [](const Case& c, const Solid& solid) {
              const auto range = extent_of(c, solid, 2);
              const double spacing = c.numerics.spacing;
