@@ -156,7 +156,7 @@ void add_stationarity(const WindowRecord& window, double tolerance, Analysis& an
         Finding drift = against(
             make_finding(chapters::statistics, window.prefix + "_drift",
                          fmt::format("change of {} over the window by its trend", window.symbol), window.unit,
-                         test.drift.value, enough ? std::optional(test.drift.half_width) : std::nullopt),
+                         test.drift.value, trusted_half_width(test.drift.half_width, mean.effective_samples)),
             0.0, "steady flow");
         drift.remark = fmt::format("{:.2g} of the mean; chance p of such a trend in a steady record {}",
                                    test.drift.value / mean.mean, p_value_text(test.trend_p_value));

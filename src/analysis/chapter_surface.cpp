@@ -237,9 +237,7 @@ void add_probe_deviations(const std::vector<SurfaceStation>& stations, const Flo
             i == 0 ? "surface_standard_deviation" : fmt::format("surface_standard_deviation_{}", i + 1),
             "standard deviation of the surface elevation, " + stations[i].name, "m",
             m.standard_deviation.value,
-            m.effective_of_variance >= fewest_effective_samples
-                ? std::optional(m.standard_deviation.half_width)
-                : std::nullopt);
+            trusted_half_width(m.standard_deviation.half_width, m.effective_of_variance));
         if (record.flow() != nullptr) {
             finding = against(std::move(finding), record.flow()->measured.surface_standard_deviation,
                               measured_name(*record.flow()));

@@ -96,6 +96,7 @@ void add_grid(const FlowRecord& record, Analysis& analysis) {
     const double largest = largest_of(form.x);
     figure.curves.push_back(std::move(form));
     analysis.figures.push_back(std::move(figure));
+    if (!std::isfinite(largest)) return;
     analysis.findings.push_back(make_finding(chapters::profiles, "dispersive_stress_largest",
                                              "largest dispersive stress", "Pa", largest));
 }

@@ -7,18 +7,9 @@
 #include <vector>
 
 #include "record/flow_fields.hpp"
+#include "statistics/record.hpp"
 
 namespace riffle::inline analysis {
-
-namespace {
-
-double median_of(std::vector<double> values) {
-    const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-    std::nth_element(values.begin(), middle, values.end());
-    return *middle;
-}
-
-}  // namespace
 
 std::optional<std::string> make_even(SeriesTable& series) {
     const std::vector<double> time = series[fields::time_series.time];

@@ -84,7 +84,6 @@ struct Finding {
     std::string remark;                ///< what it means, or why it differs
 };
 
-/// All that was found in one results file or laboratory record.
 /// The window that was asked for in place of the run's own, and the run's summary over it.
 struct AskedWindow {
     double from = 0.0;  ///< s
@@ -92,6 +91,7 @@ struct AskedWindow {
     Numbers summary;
 };
 
+/// All that was found in one results file or laboratory record.
 struct Analysis {
     std::string name;    ///< short, for legends: the title or the file's folder
     std::string source;  ///< the file

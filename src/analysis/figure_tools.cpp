@@ -87,11 +87,6 @@ Finding make_finding(const char* chapter, std::string key, std::string label, st
     return finding;
 }
 
-std::optional<double> trusted_half_width(const MeanEstimate& mean) {
-    if (mean.effective_samples < fewest_effective_samples) return std::nullopt;
-    return mean.half_width;
-}
-
 void mark_window(const FlowRecord& record, Figure& figure) {
     const TimeWindow window = record.window();
     const std::vector<double>& time = record.series()[fields::time_series.time];

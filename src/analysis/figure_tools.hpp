@@ -42,10 +42,6 @@ inline constexpr const char* measured_in_case = "measured (case file)";
 [[nodiscard]] Finding make_finding(const char* chapter, std::string key, std::string label, std::string unit,
                                    double value, std::optional<double> half_width = std::nullopt);
 
-/// The 95 % half-width of a mean over time; none where the record holds too few independent samples to know
-/// it (fewest_effective_samples).
-[[nodiscard]] std::optional<double> trusted_half_width(const MeanEstimate& mean);
-
 /// Mark the window of the averages in a figure over time, where it is a part of the record; the heights of
 /// crests, datum and mean surface in a profile, as far as they are known.
 void mark_window(const FlowRecord& record, Figure& figure);

@@ -25,10 +25,8 @@ double integral_samples(const std::vector<double>& record) {
 
 /// Without an interval where too few independent samples tell it.
 Estimate known(Estimate estimate, double effective_samples) {
-    if (effective_samples < fewest_effective_samples) {
-        estimate.half_width = std::numeric_limits<double>::infinity();
-    }
-    return estimate;
+    constexpr double unknown = std::numeric_limits<double>::infinity();
+    return {estimate.value, trusted_half_width(estimate.half_width, effective_samples).value_or(unknown)};
 }
 
 }  // namespace

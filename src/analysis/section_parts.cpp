@@ -23,6 +23,11 @@ std::vector<double> over(std::vector<double> values, double scale) {
     return values;
 }
 
+/// Whether the ends are walls, between which nothing carries the surface.
+bool between_end_walls(const FlowRecord& record) {
+    return record.flow() != nullptr && record.flow()->channel.ends == Ends::walls;
+}
+
 }  // namespace
 
 bool is_three_dimensional(const FlowRecord& record) {
@@ -83,7 +88,7 @@ SectionProfile centreline_velocity_profile(const FlowRecord& record) {
 }
 
 double velocity_at_centreline(const FlowRecord& record) {
-    if (record.flow() != nullptr && record.flow()->channel.ends == Ends::walls) return 0.0;
+    if (between_end_walls(record)) return 0.0;
     if (between_side_walls(record)) {
         const std::vector<double> velocity = within_window(record, fields::time_series.centreline_velocity);
         if (!velocity.empty()) return mean_of(velocity);
@@ -97,7 +102,7 @@ const char* depth_mean_name(const FlowRecord& record) {
 }
 
 double surface_velocity_at_centreline(const FlowRecord& record) {
-    if (record.flow() != nullptr && record.flow()->channel.ends == Ends::walls) return 0.0;
+    if (between_end_walls(record)) return 0.0;
     if (!between_side_walls(record)) return surface_velocity(record);
     // As of profiles: 0 where the level varies along the channel.
     if (surface_velocity(record) == 0.0) return 0.0;

@@ -205,9 +205,8 @@ DeviationEstimate standard_deviation(const SpaceTime& fluctuation) {
     DeviationEstimate result;
     result.value = std::sqrt(variance.mean);
     if (!(variance.mean > 0.0)) return result;
-    result.half_width = variance.effective_samples >= fewest_effective_samples
-                            ? variance.half_width / (2.0 * result.value)
-                            : std::numeric_limits<double>::infinity();
+    result.half_width =
+        trusted_half_width(variance).value_or(std::numeric_limits<double>::infinity()) / (2.0 * result.value);
     const double error =
         variance.standard_deviation * variance.standard_deviation / variance.effective_samples;
     result.effective_samples = 2.0 * variance.mean * variance.mean / error;

@@ -399,6 +399,8 @@ struct Case {
     /// File it was read from; empty for a text without a file. Relative file names in a case are relative to
     /// the folder of its file, and are made absolute when it is read.
     std::filesystem::path path;
+    /// How messages speak of it: its file, or "the case".
+    [[nodiscard]] std::string name() const { return path.empty() ? "the case" : path.string(); }
     std::string text;  ///< complete TOML text of the case, overrides applied: reading it gives this case
 
     /// The surfaces of the solids in three dimensions, where they were read with the case; see meshes_of().

@@ -26,19 +26,20 @@ struct ClosureTraits {
     bool has_zero = false;          ///< its length begins at the height turbulence.zero
     bool by_velocity_rate = false;  ///< its eddy viscosity goes with the strain rate, or the rotation
     bool parts_stress = false;      ///< turbulence.stress_terms chooses what is kept of it
+    bool damped_at_walls = false;   ///< beside a solid its length is at most kappa times the distance
 };
 
 /// Of each closure, in the order of the enumerators.
 inline constexpr std::array<ClosureTraits, Words<ClosureKind>::list.size()> closure_table{{
-    {ClosureKind::none, ClosureFamily::none, false, false, false, false},
-    {ClosureKind::ramp, ClosureFamily::mixing_length, true, true, true, true},
-    {ClosureKind::nezu_rodi, ClosureFamily::mixing_length, true, true, true, true},
-    {ClosureKind::nikuradse, ClosureFamily::mixing_length, false, true, true, true},
-    {ClosureKind::sps, ClosureFamily::filter, false, false, true, true},
-    {ClosureKind::czernuszenko_rylov, ClosureFamily::mixing_length, true, true, true, false},
-    {ClosureKind::wale, ClosureFamily::resolved, false, false, false, false},
-    {ClosureKind::vreman, ClosureFamily::resolved, false, false, false, false},
-    {ClosureKind::smagorinsky, ClosureFamily::resolved, true, true, false, false},
+    {ClosureKind::none, ClosureFamily::none, false, false, false, false, false},
+    {ClosureKind::ramp, ClosureFamily::mixing_length, true, true, true, true, false},
+    {ClosureKind::nezu_rodi, ClosureFamily::mixing_length, true, true, true, true, false},
+    {ClosureKind::nikuradse, ClosureFamily::mixing_length, false, true, true, true, false},
+    {ClosureKind::sps, ClosureFamily::filter, false, false, true, true, false},
+    {ClosureKind::czernuszenko_rylov, ClosureFamily::mixing_length, true, true, true, false, false},
+    {ClosureKind::wale, ClosureFamily::resolved, false, false, false, false, false},
+    {ClosureKind::vreman, ClosureFamily::resolved, false, false, false, false, false},
+    {ClosureKind::smagorinsky, ClosureFamily::resolved, true, true, false, false, true},
 }};
 
 static_assert(

@@ -160,17 +160,12 @@ Case resolved_eddies() {
     c.channel.sides = Sides::periodic;
     c.channel.length = 0.15;
     c.channel.width = 2.0 * std::sqrt(3.0) * c.bed.sphere_diameter;
-    c.turbulence.closure = ClosureKind::wale;
-    c.turbulence.smagorinsky_constant = 0.1;
     c.numerics = preset_numerics(Preset::riffle, 3);
     // 20 over the depth: at 3 mm the noise of the particles may take the stress from the eddies.
     c.numerics.spacing = 0.0025;
     c.numerics.smoothing_ratio = 1.5;
     c.numerics.wall_layers = 3;
-    c.numerics.reference_pressure = ReferencePressure::hydrostatic;
-    c.numerics.reference_depth_ratio = 2.0;
-    c.numerics.pressure_correction_time = 0.2;
-    c.numerics.density_relaxation = 0.2;
+    choose_for_resolved_eddies(c);
     c.start.kind = StartKind::power_law;
     c.start.velocity = 0.4;
     c.start.jitter = 0.1;

@@ -68,6 +68,15 @@ Numerics preset_numerics(Preset preset, int dimensions) {
     return {};
 }
 
+void choose_for_resolved_eddies(Case& c) {
+    c.turbulence.closure = ClosureKind::wale;
+    c.turbulence.smagorinsky_constant = 0.1;
+    c.numerics.reference_pressure = ReferencePressure::hydrostatic;
+    c.numerics.reference_depth_ratio = 2.0;
+    c.numerics.pressure_correction_time = 0.2;
+    c.numerics.density_relaxation = 0.2;
+}
+
 namespace {
 
 /// A length rounded down to a tenth of a millimetre, or two digits.

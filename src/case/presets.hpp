@@ -8,6 +8,10 @@ namespace riffle::inline case_file {
 /// lower speed of sound than in two.
 [[nodiscard]] Numerics preset_numerics(Preset preset, int dimensions = 2);
 
+/// Give a case in three dimensions the closure and the numerics with which its particles carry the eddies, as
+/// `riffle new --resolved`. Measured in docs/resolved-eddies.md.
+void choose_for_resolved_eddies(Case& c);
+
 /// Which of the keys that follow from others a case gives itself.
 struct GivenNumerics {
     bool spacing = false;

@@ -52,15 +52,21 @@ bool stays_dry(const Case& c, const Solid& solid) {
     return lowest >= c.total_depth();
 }
 
-/// The water of a plane case at its start in cells of a spacing.
+/// The water that an outline gives a plane case at its start, in cells of a spacing. None of what is no
+/// outline, and where they would be too many to look at: what the keys demand of each other is judged later.
 class WaterCells {
   public:
-    explicit WaterCells(const Case& c) : c_(c) {
-        double top = c.total_depth();
-        for (const double z : c.start.water_z) top = std::max(top, z);
-        columns_ = static_cast<int>(std::ceil(c.channel.length / c.numerics.spacing));
-        rows_ = static_cast<int>(std::ceil(top / c.numerics.spacing)) + 1;
-        if (!c.start.water_x.empty()) water_ = Outline{c.start.water_x, c.start.water_z};
+    explicit WaterCells(const Case& c)
+        : spacing_(c.numerics.spacing), water_{c.start.water_x, c.start.water_z} {
+        if (water_.x.size() != water_.z.size()) return;
+        const double top = *std::max_element(water_.z.begin(), water_.z.end());
+        const double columns = std::ceil(c.channel.length / spacing_);
+        const double rows = std::ceil(top / spacing_) + 1.0;
+        constexpr double most = 1e6;
+        if (!(columns > 0.0 && rows > 0.0 && columns * rows < most)) return;
+        columns_ = static_cast<int>(columns);
+        rows_ = static_cast<int>(rows);
+        for (const Solid& solid : c.solids) solids_.push_back({solid.x, solid.z});
         for (int i = 0; i < columns_; ++i) {
             for (int k = 0; k < rows_; ++k) cells_.push_back(find(i, k));
         }
@@ -68,6 +74,7 @@ class WaterCells {
 
     /// Whether each pool of it has one level, and walls, solids or water on either side and below.
     [[nodiscard]] bool rests() {
+        if (cells_.empty()) return false;
         for (int i = 0; i < columns_; ++i) {
             for (int k = 0; k < rows_; ++k) {
                 if (at(i, k) == Cell::water && !pool_rests(i, k)) return false;
@@ -80,14 +87,11 @@ class WaterCells {
     enum class Cell : char { air, water, seen, solid };
 
     [[nodiscard]] Cell find(int i, int k) const {
-        const double x = (i + 0.5) * c_.numerics.spacing;
-        const double z = (k + 0.5) * c_.numerics.spacing;
-        const bool in_solid = std::any_of(c_.solids.begin(), c_.solids.end(), [&](const Solid& solid) {
-            return contains(Outline{solid.x, solid.z}, x, z);
-        });
-        if (in_solid) return Cell::solid;
-        const bool wet = water_.size() > 0 ? contains(water_, x, z) : z < c_.total_depth();
-        return wet ? Cell::water : Cell::air;
+        const double x = (i + 0.5) * spacing_;
+        const double z = (k + 0.5) * spacing_;
+        const auto holds_place = [x, z](const Outline& outline) { return contains(outline, x, z); };
+        if (std::any_of(solids_.begin(), solids_.end(), holds_place)) return Cell::solid;
+        return holds_place(water_) ? Cell::water : Cell::air;
     }
     [[nodiscard]] Cell& at(int i, int k) {
         return cells_[static_cast<std::size_t>(i) * static_cast<std::size_t>(rows_) +
@@ -120,12 +124,23 @@ class WaterCells {
         return true;
     }
 
-    const Case& c_;
+    double spacing_;
     Outline water_;
+    std::vector<Outline> solids_;
     int columns_ = 0;
     int rows_ = 0;
     std::vector<Cell> cells_;
 };
+
+bool all_rest(const Case& c) {
+    return std::all_of(c.solids.begin(), c.solids.end(), [](const Solid& solid) { return solid.rests(); });
+}
+
+/// Whether neither a slope nor a lid drives the water, and its surface is free.
+bool is_undriven(const Case& c) {
+    return flow_kind(c) == FlowKind::tank && c.streamwise_gravity() == 0.0 && c.channel.lid_velocity == 0.0 &&
+           c.channel.top == Top::free_surface && c.fluid.gravity > 0.0;
+}
 
 bool comes_back(const Solid& solid) {
     return solid.rests() || (solid.motion == SolidMotion::oscillating && solid.amplitude_angle == 0.0);
@@ -151,26 +166,17 @@ bool has_inclined_faces(const Case& c, const Solid& solid) {
 }
 
 bool is_quiet_beside_inclined_faces(const Case& c) {
-    return flow_kind(c) == FlowKind::tank && c.streamwise_gravity() == 0.0 && c.channel.lid_velocity == 0.0 &&
-           c.channel.top == Top::free_surface && c.fluid.gravity > 0.0 &&
-           std::all_of(c.solids.begin(), c.solids.end(), comes_back) &&
+    return is_undriven(c) && std::all_of(c.solids.begin(), c.solids.end(), comes_back) &&
            std::any_of(c.solids.begin(), c.solids.end(), [&c](const Solid& solid) {
                return has_inclined_faces(c, solid) && !stays_dry(c, solid);
            });
 }
 
 bool is_still(const Case& c) {
-    const bool at_rest =
-        std::all_of(c.solids.begin(), c.solids.end(), [](const Solid& solid) { return solid.rests(); });
-    if (c.channel.dimensions != 2 || flow_kind(c) != FlowKind::tank || c.channel.ends != Ends::walls ||
-        c.streamwise_gravity() != 0.0 || c.channel.lid_velocity != 0.0 ||
-        c.channel.top != Top::free_surface || !(c.fluid.gravity > 0.0) || !at_rest || !c.porous.empty() ||
-        c.start.kind != StartKind::rest) {
-        return false;
-    }
-    constexpr double most_cells = 1e6;
-    const double cells = c.channel.length * c.total_depth() / (c.numerics.spacing * c.numerics.spacing);
-    return c.start.water_x.empty() || (cells < most_cells && WaterCells(c).rests());
+    const bool starts_at_rest = c.channel.dimensions == 2 && c.channel.ends == Ends::walls &&
+                                is_undriven(c) && all_rest(c) && c.porous.empty() &&
+                                c.start.kind == StartKind::rest;
+    return starts_at_rest && (c.start.water_x.empty() || WaterCells(c).rests());
 }
 
 void choose_for_quiet_water(Case& c, const GivenNumerics& given) {
@@ -187,9 +193,7 @@ void choose_for_quiet_water(Case& c, const GivenNumerics& given) {
     if (!given.pressure_correction_time && n.pressure_form == PressureForm::corrected) {
         n.pressure_correction_time = quiet_correction_time(c);
     }
-    const bool still =
-        std::all_of(c.solids.begin(), c.solids.end(), [](const Solid& solid) { return solid.rests(); });
-    if (space && still && !given.settling_time && c.start.kind == StartKind::rest &&
+    if (space && all_rest(c) && !given.settling_time && c.start.kind == StartKind::rest &&
         c.start.water_x.empty()) {
         c.start.settling_time = quiet_settling_time;
     }

@@ -48,8 +48,7 @@ std::vector<Workload> chosen_workloads(const BenchVerb& verb) {
         const bool named = std::any_of(verb.names.begin(), verb.names.end(), [&](const std::string& name) {
             return name == w.name || name == known.back();
         });
-        const bool quick = verb.names.empty() && quick_workloads.count(w.name) > 0 &&
-                           (w.scheme == "plain" || w.scheme == "default");
+        const bool quick = verb.names.empty() && quick_workloads.count(w.name) > 0 && !w.is_spatial();
         if (verb.all || named || quick) chosen.push_back(w);
         unknown.erase(w.name);
         unknown.erase(known.back());
@@ -185,7 +184,8 @@ void add_verb_bench(CLI::App& app) {
     command->add_flag("--json", verb->json, "Print JSON");
     command->footer(
         "Scheme `default` is Riffle's; `plain` leaves out velocity gradient, correction and closure;\n"
-        "  `spheres` has the anisotropic closure of Czernuszenko & Rylov over spheres at their places\n"
+        "  `spheres` has the anisotropic closure of Czernuszenko & Rylov over spheres at their places;\n"
+        "  `resolved` has eddies that the particles carry, over the same\n"
         "  neighbours   particles within the kernel's support, fluid and wall: the directed pairs of one\n"
         "  evaluation   of the force on one particle, everything of a step included: time of one core, ns\n"
         "  pair         directed pair within the support: the same time over the neighbours\n"

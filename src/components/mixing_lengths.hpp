@@ -6,6 +6,7 @@
 
 #include "boundary/solid_distance.hpp"
 #include "case/bed_patch.hpp"
+#include "case/closure_traits.hpp"
 #include "case/flow_kind.hpp"
 #include "components/local_depth.hpp"
 #include "engine/component.hpp"
@@ -42,7 +43,7 @@ class MixingLengths final : public Component<D, Real> {
         // Farther off no mixing length is limited: the largest of the closures is 0.16 H.
         constexpr double reach = 0.5;
         if (uses_local_depth(flow.c)) depth_.emplace(flow);
-        if (depth_ || flow.c.turbulence.closure == ClosureKind::smagorinsky) {
+        if (depth_ || traits_of(flow.c.turbulence.closure).damped_at_walls) {
             solids_ = SolidDistance<D>(flow.c, reach * flow.scheme.depth);
         }
     }

@@ -63,6 +63,11 @@ std::vector<double> times_to_look_at(const Case& c, const EndInput& input) {
     return times;
 }
 
+/// The file that says how much water flows.
+std::string source_of_discharge(const Case& c) {
+    return c.inflow.discharge_file.empty() ? c.name() : c.inflow.discharge_file.string();
+}
+
 constexpr double nearly_critical = 1e-3;  // of the critical depth
 
 }  // namespace
@@ -129,10 +134,7 @@ void require_subcritical_outflow(const Case& c, const EndInput& input, double fl
         holding.what, level(held_at(worst)), input.unit_discharge->at(worst), worst,
         level(critical_at(worst)), holding.cure);
     if (holding.by_file) throw FileError(message);
-    const std::string asking = !c.inflow.discharge_file.empty() ? c.inflow.discharge_file.string()
-                               : c.path.empty()                 ? "the case"
-                                                                : c.path.string();
-    throw InputError(fmt::format("{}: {}", asking, message));
+    throw InputError(fmt::format("{}: {}", source_of_discharge(c), message));
 }
 
 void require_room(const Case& c, const std::string& asking, const std::string& what, double level) {
@@ -152,13 +154,12 @@ void require_room_for_rule(const Case& c, const EndInput& input, double floor) {
     for (const double time : times_of_tables(c, input)) {
         largest = std::max(largest, input.unit_discharge->at(time));
     }
-    std::string asking = c.path.empty() ? "the case" : c.path.string();
-    if (!c.inflow.discharge_file.empty()) asking = c.inflow.discharge_file.string();
-    if (c.outflow.kind == OutflowKind::rating_curve) asking = c.outflow.rating_file.string();
-    require_room(c, asking,
-                 fmt::format("[outflow] kind = \"{}\" holds, at the largest discharge, {:.4g} m2/s,",
-                             word(c.outflow.kind), largest),
-                 input.outflow_depth(largest, 0.0) + floor);
+    require_room(
+        c,
+        c.outflow.kind == OutflowKind::rating_curve ? c.outflow.rating_file.string() : source_of_discharge(c),
+        fmt::format("[outflow] kind = \"{}\" holds, at the largest discharge, {:.4g} m2/s,",
+                    word(c.outflow.kind), largest),
+        input.outflow_depth(largest, 0.0) + floor);
 }
 
 }  // namespace riffle::inline ends

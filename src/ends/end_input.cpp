@@ -298,8 +298,8 @@ std::function<double(double)> start_depths(const Case& c, const EndInput& input)
     try {
         return varied_depths(c, input);
     } catch (const InputError& error) {
-        throw InputError(fmt::format("{}: [start] kind = \"backwater\": {}, or another start",
-                                     c.path.empty() ? "the case" : c.path.string(), error.what()));
+        throw InputError(
+            fmt::format("{}: [start] kind = \"backwater\": {}, or another start", c.name(), error.what()));
     }
 }
 

@@ -55,8 +55,8 @@ struct FlowAtEnds {
     double holding_time = 0.0;                ///< in which the depth at the outflow goes to it, s
     bool one_bed = true;                      ///< both ends have the same bed, and stand on it
     std::optional<VariedFlow> varied;         ///< the steady varied flow between them, depths over the datum
-    std::optional<Extremes> profile_gap;      ///< the widest stretch between two of these points, m
     std::optional<Extremes> profile_heights;  ///< of the points of inflow.profile_file, over the datum, m
+    std::optional<Extremes> profile_gap;      ///< the widest stretch between two of these points, m
     std::optional<double> reynolds;           ///< of a duct: U, its hydraulic diameter, largest q
 };
 

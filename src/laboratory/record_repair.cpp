@@ -1,10 +1,12 @@
 #include "laboratory/record_repair.hpp"
-#include "base/not_a_number.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
+
+#include "base/not_a_number.hpp"
+#include "statistics/record.hpp"
 
 namespace riffle::inline laboratory {
 
@@ -13,19 +15,12 @@ namespace {
 /// Standard deviation of a normal distribution over its median absolute deviation.
 constexpr double deviation_of_median = 1.4826;
 
-double median(std::vector<double> values) {
-    const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-    std::nth_element(values.begin(), middle, values.end());
-    if (values.size() % 2 == 1) return *middle;
-    return 0.5 * (*middle + *std::max_element(values.begin(), middle));
-}
-
 /// Robust standard deviation about zero.
 double spread(std::span<const double> values) {
     std::vector<double> magnitude;
     magnitude.reserve(values.size());
     for (const double v : values) magnitude.push_back(std::abs(v));
-    return deviation_of_median * median(std::move(magnitude));
+    return deviation_of_median * median_of(magnitude);
 }
 
 /// Central differences per sample, one-sided at the ends.
@@ -54,7 +49,7 @@ std::vector<bool> beside_gaps(std::span<const double> values) {
 std::vector<double> phase_space_distance(std::span<const double> values,
                                          const std::vector<bool>& value_alone) {
     const auto n = values.size();
-    const double centre = median({values.begin(), values.end()});
+    const double centre = median_of(values);
     std::vector<double> x(n);
     for (std::size_t i = 0; i < n; ++i) x[i] = values[i] - centre;
     const std::vector<double> first = central_difference(x);

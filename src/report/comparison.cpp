@@ -54,8 +54,7 @@ std::vector<ComparedRun> collect_runs(const std::vector<ReportSubject>& subjects
     for (const ReportSubject& subject : subjects) {
         ComparedRun run{subject.analysis.name, std::nullopt, subject.analysis};
         if (!subject.results.empty()) {
-            run.run = collect_report_data(subject.results, FieldFrames::none);
-            take_window(subject.analysis, *run.run);
+            run.run = collect_report_data(subject.results, subject.analysis, FieldFrames::none);
         }
         runs.push_back(std::move(run));
     }

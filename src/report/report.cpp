@@ -38,15 +38,11 @@ std::string make_html(const ReportData& data, const Analysis& analysis) {
 }  // namespace
 
 std::string report_html(const std::filesystem::path& results, const Analysis& analysis) {
-    ReportData data = collect_report_data(results);
-    take_window(analysis, data);
-    return make_html(data, analysis);
+    return make_html(collect_report_data(results, analysis), analysis);
 }
 
 std::string report_summary_json(const std::filesystem::path& results, const Analysis& analysis) {
-    ReportData data = collect_report_data(results);
-    take_window(analysis, data);
-    return summary_json(data, analysis);
+    return summary_json(collect_report_data(results, analysis), analysis);
 }
 
 std::string comparison_html(const Comparison& comparison) {
@@ -87,8 +83,7 @@ std::filesystem::path summary_beside(const std::filesystem::path& html) {
 
 void write_report(const std::filesystem::path& results, const std::filesystem::path& html,
                   const std::filesystem::path& json, const Analysis& analysis) {
-    ReportData data = collect_report_data(results);
-    take_window(analysis, data);
+    const ReportData data = collect_report_data(results, analysis);
     write_text_atomically(html, make_html(data, analysis));
     if (!json.empty()) write_text_atomically(json, summary_json(data, analysis));
 }

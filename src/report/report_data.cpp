@@ -39,6 +39,22 @@ void complete_column(ReportData& data) {
     }
 }
 
+void take_window(const AskedWindow& asked, ReportData& data) {
+    data.window_start = asked.from;
+    data.window_end = asked.to;
+    data.profile_samples = 0.0;  // of the run's own window
+    // What this window has none of: intervals from too few samples, fits that are not valid.
+    const auto& of = fields::summary;
+    for (const Field& field :
+         {of.depth_mean_velocity_half_width, of.centreline_velocity_half_width, of.surface_velocity,
+          of.friction_velocity, of.log_law_friction_velocity, of.log_law_friction_velocity_half_width,
+          of.equivalent_roughness, of.equivalent_roughness_half_width, of.zero_plane, of.spurious_stress_rms,
+          of.spurious_stress_maximum, of.stress_error_rms}) {
+        if (data.summary.find(field)) data.summary.set(field, not_a_number);
+    }
+    for (const auto& [name, value] : asked.summary.all()) data.summary.set(name, value);
+}
+
 }  // namespace
 
 double recorded_time(const ReportData& data) {
@@ -79,21 +95,11 @@ ReportData collect_report_data(const RunResults& results, FieldFrames frames) {
     return data;
 }
 
-void take_window(const Analysis& analysis, ReportData& data) {
-    if (!analysis.asked_window) return;
-    data.window_start = analysis.asked_window->from;
-    data.window_end = analysis.asked_window->to;
-    data.profile_samples = 0.0;  // of the run's own window
-    // What this window has none of: intervals from too few samples, fits that are not valid.
-    const auto& of = fields::summary;
-    for (const Field& field :
-         {of.depth_mean_velocity_half_width, of.centreline_velocity_half_width, of.surface_velocity,
-          of.friction_velocity, of.log_law_friction_velocity, of.log_law_friction_velocity_half_width,
-          of.equivalent_roughness, of.equivalent_roughness_half_width, of.zero_plane, of.spurious_stress_rms,
-          of.spurious_stress_maximum, of.stress_error_rms}) {
-        if (data.summary.find(field)) data.summary.set(field, not_a_number);
-    }
-    for (const auto& [name, value] : analysis.asked_window->summary.all()) data.summary.set(name, value);
+ReportData collect_report_data(const std::filesystem::path& results, const Analysis& analysis,
+                               FieldFrames frames) {
+    ReportData data = collect_report_data(results, frames);
+    if (analysis.asked_window) take_window(*analysis.asked_window, data);
+    return data;
 }
 
 }  // namespace riffle::inline report

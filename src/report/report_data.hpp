@@ -38,11 +38,12 @@ struct ReportData {
 [[nodiscard]] ReportData collect_report_data(const std::filesystem::path& results,
                                              FieldFrames frames = FieldFrames::all);
 
+/// The same beside an analysis of the file: in the window that the analysis was asked for, and with the run's
+/// summary over it, so that a page has one window.
+[[nodiscard]] ReportData collect_report_data(const std::filesystem::path& results, const Analysis& analysis,
+                                             FieldFrames frames = FieldFrames::all);
+
 /// Simulated time that the series reach, s; 0 without series.
 [[nodiscard]] double recorded_time(const ReportData& data);
-
-/// Take the window that an analysis was asked for, and the run's summary over it, so that a page has one
-/// window.
-void take_window(const Analysis& analysis, ReportData& data);
 
 }  // namespace riffle::inline report

@@ -6,6 +6,7 @@
 
 #include "base/parallel.hpp"
 #include "case/case.hpp"
+#include "case/presets.hpp"
 #include "particles/lattice.hpp"
 #include "solver/simulation.hpp"
 #include "solver/start.hpp"
@@ -37,13 +38,8 @@ Case workload_case(const Workload& workload) {
         c.turbulence.closure = ClosureKind::czernuszenko_rylov;
     }
     if (workload.scheme == "resolved") {
-        // Those of `riffle new --resolved`.
         c.bed.drag_form = DragForm::consistent;
-        c.turbulence.closure = ClosureKind::wale;
-        c.numerics.reference_pressure = ReferencePressure::hydrostatic;
-        c.numerics.reference_depth_ratio = 2.0;
-        c.numerics.pressure_correction_time = 0.2;
-        c.numerics.density_relaxation = 0.2;
+        choose_for_resolved_eddies(c);
     }
     return c;
 }
@@ -147,7 +143,7 @@ std::vector<Workload> standard_workloads() {
     for (const char* scheme : {"plain", "default", "spheres", "resolved"}) {
         for (Workload w : workloads) {
             w.scheme = scheme;
-            if (w.dimensions == 3 || (w.scheme != "spheres" && w.scheme != "resolved")) all.push_back(w);
+            if (w.dimensions == 3 || !w.is_spatial()) all.push_back(w);
         }
     }
     return all;

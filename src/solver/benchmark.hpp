@@ -20,6 +20,9 @@ struct Workload {
     double length = 0.0;   ///< m
     double width = 0.0;    ///< m, in three dimensions
     double jitter = 0.0;   ///< random displacement of the first lattice, in spacings
+
+    /// Whether the scheme is one for three dimensions alone.
+    [[nodiscard]] bool is_spatial() const { return scheme == "spheres" || scheme == "resolved"; }
 };
 
 /// The workloads, smallest first: flow condition 2, longer (and wider) for more particles.

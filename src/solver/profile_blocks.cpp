@@ -270,9 +270,8 @@ Profiles ProfileSampler::average(double from, double to) const {
         result.bin_upper.push_back(upper);
         result.z.push_back(mean(LayerQuantity::height));
         result.velocity.push_back(u);
-        const MeanEstimate of_blocks = mean_with_confidence(layer_velocity[layer]);
         result.velocity_half_width.push_back(
-            of_blocks.effective_samples < fewest_effective_samples ? not_a_number : of_blocks.half_width);
+            trusted_half_width(mean_with_confidence(layer_velocity[layer])).value_or(not_a_number));
         result.vertical_velocity.push_back(w);
         result.column_velocity.push_back(mean(LayerQuantity::column_u));
         result.velocity_deviation.push_back(u - mean(LayerQuantity::column_u));

@@ -168,8 +168,7 @@ Particles<D> initial_particles(const Case& c, const Scheme& scheme, const Column
         throw InputError(fmt::format(
             "{}: [start] kind = \"section\" needs the steady flow over the cross-section, and the case has none: {}; or "
             "choose \"rest\" or \"uniform\"",
-            c.path.empty() ? "the case" : c.path.string(),
-            why_no_section(c).value_or("it has two dimensions")));
+            c.name(), why_no_section(c).value_or("it has two dimensions")));
     }
     const std::optional<OpenStart> open =
         c.channel.ends == Ends::open ? std::optional<OpenStart>(c) : std::nullopt;

@@ -237,8 +237,8 @@ Numbers summarise(const Case& c, const Twins& twins, const TimeSeries& series, c
     summary.set(fields::summary.depth_mean_velocity, estimate.mean);
     summary.set(fields::summary.depth_mean_velocity_effective_samples, estimate.effective_samples);
     // A mean from too few independent samples has no interval.
-    if (estimate.effective_samples >= fewest_effective_samples) {
-        summary.set(fields::summary.depth_mean_velocity_half_width, estimate.half_width);
+    if (const auto half_width = trusted_half_width(estimate)) {
+        summary.set(fields::summary.depth_mean_velocity_half_width, *half_width);
     }
     summary.set(fields::summary.depth_mean_velocity_integral_time,
                 estimate.integral_time * (to - time[first]) /
@@ -266,8 +266,8 @@ Numbers summarise(const Case& c, const Twins& twins, const TimeSeries& series, c
         const auto centreline = mean_with_confidence(
             std::span(series.column(fields::time_series.centreline_velocity)).subspan(first));
         summary.set(fields::summary.centreline_velocity, centreline.mean);
-        if (centreline.effective_samples >= fewest_effective_samples) {
-            summary.set(fields::summary.centreline_velocity_half_width, centreline.half_width);
+        if (const auto half_width = trusted_half_width(centreline)) {
+            summary.set(fields::summary.centreline_velocity_half_width, *half_width);
         }
         set_mean(outcomes.side_wall_over_gravity, of_series.side_wall_over_gravity);
         set_mean(outcomes.secondary_velocity, of_series.secondary_velocity);

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <span>
 
 namespace riffle::inline statistics {
@@ -16,6 +17,16 @@ struct MeanEstimate {
 /// Fewer independent samples than these make no interval that can be trusted: the autocorrelation itself is
 /// not known from a record so short.
 inline constexpr double fewest_effective_samples = 10.0;
+
+/// A half-width from so many independent samples; none where they are too few to know it.
+[[nodiscard]] constexpr std::optional<double> trusted_half_width(double half_width,
+                                                                 double effective_samples) {
+    if (effective_samples < fewest_effective_samples) return std::nullopt;
+    return half_width;
+}
+[[nodiscard]] constexpr std::optional<double> trusted_half_width(const MeanEstimate& mean) {
+    return trusted_half_width(mean.half_width, mean.effective_samples);
+}
 
 /// Half-width of a 95 % interval over the standard uncertainty of a normal distribution.
 inline constexpr double normal_95 = 1.96;

@@ -36,6 +36,15 @@ double mean_of(std::span<const double> record) {
     return shift + sum / static_cast<double>(count);
 }
 
+double median_of(std::span<const double> numbers) {
+    if (numbers.empty()) return std::numeric_limits<double>::quiet_NaN();
+    std::vector<double> values(numbers.begin(), numbers.end());
+    const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
+    std::nth_element(values.begin(), middle, values.end());
+    if (values.size() % 2 == 1) return *middle;
+    return 0.5 * (*middle + *std::max_element(values.begin(), middle));
+}
+
 Fluctuations fluctuations_of(std::span<const double> record, std::string_view what) {
     require_finite_or_gap(record, what);
     Fluctuations result;

@@ -13,6 +13,10 @@ namespace riffle::inline statistics {
 /// to the bit.
 [[nodiscard]] double mean_of(std::span<const double> record);
 
+/// Median of numbers, of an even number of them the mean of the two in the middle; not-a-number of none. They
+/// must have no gaps.
+[[nodiscard]] double median_of(std::span<const double> numbers);
+
 /// The departures of a record from its mean.
 struct Fluctuations {
     std::vector<double> values;  ///< zero in gaps

@@ -51,13 +51,6 @@ double runs_chance(std::size_t runs, std::size_t a, std::size_t b) {
     return (binomial(a - 1, k - 1) * binomial(b - 1, k) + binomial(a - 1, k) * binomial(b - 1, k - 1)) / all;
 }
 
-double median_of(std::span<const double> numbers) {
-    std::vector<double> sorted(numbers.begin(), numbers.end());
-    std::sort(sorted.begin(), sorted.end());
-    const std::size_t n = sorted.size();
-    return n % 2 == 1 ? sorted[n / 2] : 0.5 * (sorted[n / 2 - 1] + sorted[n / 2]);
-}
-
 double two_sided_p_value(const TrendEstimate& trend) {
     if (!(trend.standard_error > 0.0)) return trend.slope == 0.0 ? 1.0 : 0.0;
     const boost::math::students_t distribution(std::max(trend.effective_samples - 2.0, 1.0));

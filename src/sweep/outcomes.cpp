@@ -68,8 +68,7 @@ double half_width_of_series(const RunResults& results, const std::string& name) 
     }
     constexpr std::size_t fewest = 4;
     if (window.size() < fewest) return not_a_number;
-    const MeanEstimate mean = mean_with_confidence(window);
-    return mean.effective_samples < fewest_effective_samples ? not_a_number : mean.half_width;
+    return trusted_half_width(mean_with_confidence(window)).value_or(not_a_number);
 }
 
 double twin_of(const RunResults& results, const std::string& key) {

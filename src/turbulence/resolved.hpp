@@ -20,8 +20,8 @@ template <class Real>
 }
 
 /// Of Smagorinsky's model, m: C_s Delta, and no more than kappa times the distance from a rough wall (m),
-/// where the eddies are as small as that: 1/l^2 = 1/(C_s Delta)^2 + 1/(kappa d)^2. Mason & Thomson (1992),
-/// (2), with the power 2.
+/// where the eddies are as small as that: 1/l^2 = 1/(C_s Delta)^2 + 1/(kappa d)^2. Mason & Thomson (1992)
+/// with the power 2.
 template <class Real>
 [[nodiscard]] Real smagorinsky_length(Real smagorinsky_constant, Real filter_width, Real kappa,
                                       Real distance) {

@@ -10,8 +10,7 @@ from check import Check
 from options import options_text
 from table import Table
 
-# Case, and which walls of the solid it has: those that rest better.
-STILL = {"sphere": ("cases/checks/sphere-at-rest.toml", "true surface"), "V-shaped channel": ("cases/checks/v-channel-at-rest.toml", "walls on the lattice")}
+STILL = {"sphere": "cases/checks/sphere-at-rest.toml", "V-shaped channel": "cases/checks/v-channel-at-rest.toml"}
 
 
 def rest_in_space(study):
@@ -20,7 +19,7 @@ def rest_in_space(study):
                   "the lattice of the water, or end at its true surface, up to which the start is packed. Snapshots of each 0.1 s.")
     interval = {"output.snapshot_interval": '"0.1 s"'}
     table = Table(f"{check.title}, 5 to 6 s", ["case", "choice", "largest speed / √(gH)", "rms"])
-    for name, (case, _) in STILL.items():
+    for name, case in STILL.items():
         for choice, packed in {"walls on the lattice": "false", "true surface": "true"}.items():
             flow = study.run(f"{check.name}-{name.split()[0].lower()}-{choice.split()[-1]}", case, {**interval, "start.packed": packed})
             largest, rms = flow.speeds(5.0, 6.1)
@@ -30,7 +29,7 @@ def rest_in_space(study):
             check.best, check.cost = options_text(flow), flow.cost_text
     if study.quick:
         return check
-    case, _ = STILL["V-shaped channel"]
+    case = STILL["V-shaped channel"]
     for choice, settings in {
             "no settling": {"start.settling_time": '"0 s"'},
             "correction of each moment": {"numerics.pressure_correction_time": '"0 s"'},

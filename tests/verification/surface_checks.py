@@ -12,11 +12,23 @@ from options import compare_options, options_text, refinement
 from table import Table
 
 
+def _largest_speeds(flow):
+    """Time and largest speed of a particle of each snapshot."""
+    return numpy.array([(s.time, numpy.hypot(s.u, s.w).max()) for s in flow.snapshots()])
+
+
+def _speed_panel(figure, speeds, scale, bar, bar_from):
+    axes = figure.panel("time t (s)", "largest speed / √(gH)", "")
+    axes.set_yscale("log")
+    figures.exact(axes, [bar_from, speeds[-1, 0]], [bar, bar], "bar")
+    figures.simulated(axes, speeds[1:, 0], speeds[1:, 1] / scale, "particles")
+
+
 def _stillness(study, check, case, still_level, solid_area, bar):
     """Largest speed, level and pressure of water that must stay at rest."""
     flow = study.run(check.name, case)
     scale = math.sqrt(flow.gravity_z * flow.depth)
-    speeds = numpy.array([(s.time, numpy.hypot(s.u, s.w).max()) for s in flow.snapshots()])
+    speeds = _largest_speeds(flow)
     last = flow.snapshot(-1)
     check.norm("largest speed of any particle in the end, over √(gH)", speeds[-1, 1] / scale, bar, "", 3)
     level = still_level(flow, (flow.mass * last.z).sum() / flow.mass.sum())
@@ -31,10 +43,7 @@ def _stillness(study, check, case, still_level, solid_area, bar):
     axes = figure.panel("pressure p / ρgH", "height z / H", f"t = {last.time:.3g} s")
     figures.exact(axes, [1, 0], [0, 1], "hydrostatic")
     figures.simulated(axes, last.pressure / (flow.density * flow.gravity_z * flow.depth), last.z / flow.depth, most=600)
-    axes = figure.panel("time t (s)", "largest speed / √(gH)", "")
-    axes.set_yscale("log")
-    figures.exact(axes, speeds[[0, -1], 0], [bar, bar], "bar")
-    figures.simulated(axes, speeds[1:, 0], speeds[1:, 1] / scale, "particles")
+    _speed_panel(figure, speeds, scale, bar, speeds[0, 0])
     check.figures.append((figure.svg(check.name), "Pressure of all particles in the end, and the largest speed against time."))
     check.budgets_of(flow, energy=False)
     e = 0.5 * (flow.mass * (last.u**2 + last.w**2)).sum()
@@ -78,6 +87,12 @@ def two_pools(study):
     force = forces["solid_force_1"][late]
     check.norm("force on the wall against that of the two pools", force.mean() / exact_force - 1, 0.01)
     check.norm("standard deviation of that force, over it", force.std() / exact_force)
+    figure = figures.Figure(2)
+    axes = figure.panel("time t (s)", "force on the wall (N/m)", "")
+    figures.exact(axes, forces["time"][[0, -1]], [exact_force, exact_force], "ρg(h₁² − h₂²)/2")
+    figures.simulated(axes, forces["time"], forces["solid_force_1"], "particles")
+    _speed_panel(figure, _largest_speeds(flow), math.sqrt(flow.gravity_z * flow.depth), 1e-2, 5.0)
+    check.figures.append((figure.svg(check.name), "Force on the wall, and the largest speed, against time."))
     if not study.quick:
         compare_options(study, check, case, {
             "correction of each moment": {"numerics.pressure_correction_time": '"0 s"'},

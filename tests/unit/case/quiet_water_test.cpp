@@ -106,6 +106,22 @@ TEST(QuietWater, KnowsWhetherAnythingMovesTheWater) {
     EXPECT_FALSE(is_still(read(wall + "motion = \"constant\"\nvelocity_x = \"5 mm/s\"\nstop = \"2 s\"\n")));
 }
 
+// It is asked before anything is refused: what is no outline, or reaches to the clouds, is for the refusals.
+TEST(QuietWater, LeavesWaterThatCannotBeToTheRefusals) {
+    const auto refused = [](const std::string& z) {
+        try {
+            read("x = [0.45, 0.55, 0.55, 0.45]\nz = [0.0, 0.0, 0.2, 0.2]\n",
+                 {{"start.water_x", "[0, 1, 1, 0]"}, {"start.water_z", z}});
+        } catch (const InputError& error) {
+            return std::string(error.what());
+        }
+        return std::string();
+    };
+    EXPECT_THAT(refused("[]"), HasSubstr("water_z"));
+    EXPECT_THAT(refused("[0, 0, 0.09]"), HasSubstr("water_z"));
+    EXPECT_THAT(refused("[0, 0, 1e12, 1e12]"), HasSubstr("water_z"));
+}
+
 TEST(QuietWater, KnowsNothingOfWhatStandsAboveIt) {
     EXPECT_FALSE(is_quiet_beside_inclined_faces(read("x = [0.3, 0.7, 0.7]\nz = [0.11, 0.12, 0.3]\n")));
     EXPECT_TRUE(is_quiet_beside_inclined_faces(read("x = [0.3, 0.7, 0.7]\nz = [0.09, 0.12, 0.3]\n")));

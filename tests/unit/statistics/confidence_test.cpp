@@ -12,6 +12,12 @@
 namespace riffle::confidence_test {
 namespace {
 
+TEST(TrustedHalfWidth, IsThatOfTenIndependentSamplesAtLeast) {
+    EXPECT_EQ(trusted_half_width(0.25, 10.0), 0.25);
+    EXPECT_FALSE(trusted_half_width(0.25, 9.99));
+    EXPECT_FALSE(trusted_half_width(MeanEstimate{.half_width = 0.25, .effective_samples = 2.0}));
+}
+
 constexpr double truth = 3.0;
 
 /// The record around `truth`.
