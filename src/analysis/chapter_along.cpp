@@ -17,6 +17,7 @@
 #include "analysis/tailwater_passage.hpp"
 #include "base/error.hpp"
 #include "base/not_a_number.hpp"
+#include "case/cross_section.hpp"
 #include "case/end_levels.hpp"
 #include "case/flow_kind.hpp"
 #include "case/porous_zone.hpp"
@@ -141,7 +142,8 @@ void add_velocity(const LongProfile& profile, const Heads& heads, Analysis& anal
 void compare_with_varied_flow(const FlowRecord& record, const LongProfile& profile, Figure& figure,
                               Analysis& analysis) {
     const Case& c = *record.flow();
-    if (!c.solids.empty() || varies_beyond_beds(c) || !channel_or_walls_resist(c) || resolves_eddies(c) ||
+    const bool has_others = !c.solids.empty() && (c.solids.size() > 1 || canal_of(c) == nullptr);
+    if (has_others || varies_beyond_beds(c) || !channel_or_walls_resist(c) || resolves_eddies(c) ||
         !c.inflow_unit_discharge()) {
         return;
     }
@@ -254,7 +256,7 @@ void analyse_along(const FlowRecord& record, Analysis& analysis) {
     figure.x.from = 0.0;
     figure.x.to = c.channel.length;
     figure.y.from = 0.0;
-    const std::optional<CanalFlow> canal = canal_flow(c);
+    const std::optional<CanalFlow> canal = c.channel.ends == Ends::periodic ? canal_flow(c) : std::nullopt;
     if (canal) add_canal(record, *canal, analysis);
     const SpaceTime& surface = record.surface();
     if (surface.rows() < 2) {
@@ -289,9 +291,17 @@ void analyse_along(const FlowRecord& record, Analysis& analysis) {
     const std::optional<UnitDischarge> discharge = canal ? std::nullopt : unit_discharge(record);
     std::optional<Heads> heads;
     if (discharge) {
-        analysis.findings.push_back(make_finding(chapters::along, "unit_discharge",
-                                                 "discharge per unit width", "m2/s", discharge->mean,
-                                                 discharge->half_width));
+        if (section_of(c) != nullptr) {
+            const double width = c.channel.width;
+            std::optional<double> half_width = discharge->half_width;
+            if (half_width) *half_width *= width;
+            analysis.findings.push_back(make_finding(chapters::along, "discharge", "discharge", "m3/s",
+                                                     width * discharge->mean, half_width));
+        } else {
+            analysis.findings.push_back(make_finding(chapters::along, "unit_discharge",
+                                                     "discharge per unit width", "m2/s", discharge->mean,
+                                                     discharge->half_width));
+        }
         if (find_at_end(record, fields::flow_rate.flow_rate, 1) != nullptr) {
             analysis.findings.back().remark = changing ? "at the inflow, mean over the window"
                                               : space

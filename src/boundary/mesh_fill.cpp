@@ -6,6 +6,7 @@
 #include <optional>
 
 #include "boundary/wall_motion.hpp"
+#include "case/end_buffers.hpp"
 #include "case/solid_mesh.hpp"
 
 namespace riffle::inline boundary {
@@ -37,7 +38,10 @@ class MeshFill {
 
     /// Of the solids at rest. A place in several belongs to the first.
     void add_resting(int rows) {
-        for (int column = 0; column < lattice_.columns && !meshes_->empty(); ++column) {
+        // Below and beside the water beyond open ends as well: a cross-section goes on there.
+        const bool open = c_.channel.ends == Ends::open;
+        const int beyond = open ? static_cast<int>(std::ceil(walls_beyond_end(c_) / lattice_.dx)) : 0;
+        for (int column = -beyond; column < lattice_.columns + beyond && !meshes_->empty(); ++column) {
             for (int file = 0; file < lattice_.files; ++file) {
                 for (int row = 0; row < rows; ++row) add_at(place_of(column, file, row));
             }

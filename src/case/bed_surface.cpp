@@ -15,7 +15,8 @@ namespace {
 /// So far bodies reach beyond the channel, m.
 double reach_beyond(const Case& c) {
     const double walls = c.numerics.wall_layers * c.numerics.spacing;
-    return (c.channel.ends == Ends::open ? walls_beyond_end(c) : walls) + c.numerics.spacing;
+    // Beyond open ends as much farther as no wall particle there sees where it ends.
+    return (c.channel.ends == Ends::open ? walls_beyond_end(c) : 0.0) + walls + c.numerics.spacing;
 }
 
 /// Regular places from beyond the one end of a channel to beyond the other, and which of the places of the

@@ -209,16 +209,28 @@ WettedSection wetted_section(const CrossSection& section, double level) {
     return wet;
 }
 
-const Solid* canal_of(const Case& c) {
-    if (c.channel.dimensions != 3 || c.solids.size() != 1 || c.channel.ends != Ends::periodic ||
-        c.channel.slope <= 0.0) {
-        return nullptr;
+const Solid* section_of(const Case& c) {
+    if (c.channel.dimensions != 3) return nullptr;
+    const Solid* found = nullptr;
+    for (const Solid& solid : c.solids) {
+        if (!is_section(solid.shape)) continue;
+        if (found != nullptr || !section_fault(c, solid).empty()) return nullptr;
+        found = &solid;
     }
-    const Solid& solid = c.solids.front();
-    return is_section(solid.shape) && solid.surface == SolidSurface::log_law &&
-                   section_fault(c, solid).empty()
-               ? &solid
-               : nullptr;
+    return found;
+}
+
+const Solid* canal_of(const Case& c) {
+    const Solid* const solid = section_of(c);
+    if (solid == nullptr || solid->surface != SolidSurface::log_law) return nullptr;
+    if (c.channel.ends == Ends::open) return solid;
+    const bool uniform = c.channel.ends == Ends::periodic && c.channel.slope > 0.0 && c.solids.size() == 1;
+    return uniform ? solid : nullptr;
+}
+
+double mean_depth_over(const Case& c, const CrossSection& section, double depth) {
+    const double lowest = *std::min_element(section.levels.begin(), section.levels.end());
+    return wetted_section(section, lowest + depth).area / c.channel.simulated_width();
 }
 
 }  // namespace riffle::inline case_file

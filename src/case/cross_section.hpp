@@ -33,8 +33,16 @@ struct WettedSection {
 };
 [[nodiscard]] WettedSection wetted_section(const CrossSection& section, double level);
 
-/// The one solid of a case that makes it a canal: of one cross-section all along a periodic channel, with the
-/// friction of the log law, and none beside it; nothing where the case is another.
+/// The solid of a case in three dimensions that gives its channel one cross-section all along; nothing where
+/// none does, more than one, or one that is drawn wrong.
+[[nodiscard]] const Solid* section_of(const Case& c);
+
+/// The one solid of a case that makes it a canal: of one cross-section all along the channel, with the
+/// friction of the log law; between periodic ends down a slope and with no solid beside it. Nothing where the
+/// case is another.
 [[nodiscard]] const Solid* canal_of(const Case& c);
+
+/// Area of the water up to a depth over the lowest point of a section, over the width of the channel, m.
+[[nodiscard]] double mean_depth_over(const Case& c, const CrossSection& section, double depth);
 
 }  // namespace riffle::inline case_file

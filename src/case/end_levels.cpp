@@ -4,6 +4,7 @@
 #include <cmath>
 #include <filesystem>
 
+#include "case/cross_section.hpp"
 #include "case/end_floor.hpp"
 #include "case/flow_kind.hpp"
 
@@ -11,6 +12,35 @@ namespace riffle::inline case_file {
 
 double critical_depth_of(double gravity, double unit_discharge) {
     return std::cbrt(unit_discharge * unit_discharge / gravity);
+}
+
+double critical_depth_of(const Case& c, double unit_discharge) {
+    const double g = c.normal_gravity();
+    const Solid* const solid = section_of(c);
+    if (solid == nullptr || !(unit_discharge > 0.0)) return critical_depth_of(g, unit_discharge);
+    const CrossSection section = cross_section(c, *solid);
+    const double lowest = *std::min_element(section.levels.begin(), section.levels.end());
+    const double width = c.channel.simulated_width();
+    const auto subcritical = [&](double depth) {
+        const WettedSection wet = wetted_section(section, lowest + depth);
+        const double area = wet.area / width;
+        return g * area * area * area >= unit_discharge * unit_discharge * wet.top_width / width;
+    };
+    // Downwards from a depth at which it is, so that over floodplains the largest critical depth is found.
+    double high = critical_depth_of(g, unit_discharge);
+    while (!subcritical(high)) high *= 2.0;
+    double low = high;
+    constexpr double ratio = 0.98;
+    while (subcritical(low)) {
+        high = low;
+        low *= ratio;
+    }
+    constexpr int halvings = 50;
+    for (int i = 0; i < halvings; ++i) {
+        const double middle = 0.5 * (low + high);
+        (subcritical(middle) ? high : low) = middle;
+    }
+    return high;
 }
 
 double weir_head(double gravity, double discharge_coefficient, double unit_discharge) {
@@ -34,7 +64,7 @@ double highest_end_level(const Case& c) {
     }
     if (!c.inflow.depth) {
         const EndFloors floors = end_floors(c);
-        level = std::max(level, std::max(floors.upstream, floors.downstream) + critical_depth_of(g, q));
+        level = std::max(level, std::max(floors.upstream, floors.downstream) + critical_depth_of(c, q));
     }
     return level;
 }

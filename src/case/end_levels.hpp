@@ -8,6 +8,10 @@ namespace riffle::inline case_file {
 /// `unit_discharge` in m2/s.
 [[nodiscard]] double critical_depth_of(double gravity, double unit_discharge);
 
+/// The same of a discharge over the width of the channel of a case, over the lowest point where its channel
+/// has a cross-section of its own: q^2 B = g A^3.
+[[nodiscard]] double critical_depth_of(const Case& c, double unit_discharge);
+
 /// Head over a sharp crest that lets a discharge pass, m: (3 q / (2 C_d sqrt(2 g)))^(2/3) (Poleni); nothing
 /// without discharge.
 [[nodiscard]] double weir_head(double gravity, double discharge_coefficient, double unit_discharge);

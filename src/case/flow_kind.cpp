@@ -120,7 +120,11 @@ bool channel_resists(const Case& c) {
     return bed_resists(c.bed) || vegetation_everywhere(c) != nullptr || layer_resists(c);
 }
 
-bool channel_or_walls_resist(const Case& c) { return channel_resists(c) || c.has_side_wall_drag(); }
+bool channel_or_walls_resist(const Case& c) {
+    // Of a canal with open ends the section holds the water back, as in its uniform flow.
+    return channel_resists(c) || c.has_side_wall_drag() ||
+           (c.channel.ends == Ends::open && canal_of(c) != nullptr);
+}
 
 FlowKind flow_kind(const Case& c) {
     if (c.channel.top == Top::periodic) return FlowKind::periodic_box;
@@ -201,6 +205,12 @@ std::optional<std::string> why_no_column(const Case& c) {
         return "water enters and leaves at the ends of a duct (channel.ends = \"open\", channel.top = \"wall\"), so "
                "its velocity follows from [inflow] and not from a slope: the uniform flow between the walls is "
                "that of the case with channel.ends = \"periodic\" and channel.slope > 0";
+    }
+    if (c.channel.ends == Ends::open && c.solids.size() == 1 && canal_of(c) != nullptr) {
+        return fmt::format(
+            "water enters and leaves at its ends (channel.ends = \"open\") over the cross-section \"{}\", and the "
+            "twins know none but the rectangle: `riffle backwater` gives the steady flow along it",
+            c.solids.front().name);
     }
     if (c.channel.ends == Ends::open && has_bodies(c)) {
         return "water enters and leaves at its ends (channel.ends = \"open\") and passes solids: `riffle backwater` "

@@ -59,7 +59,7 @@ CheckList inflow_refusals() {
                  if (!q || !c.inflow.depth) {
                      return Findings{};
                  }
-                 const double critical = critical_depth_of(c.normal_gravity(), *q);
+                 const double critical = critical_depth_of(c, *q);
                  return found_if(over_floor(c, *c.inflow.depth, end_floors(c).upstream) > critical,
                                  "the depth of {} is above the critical one of the discharge, {}",
                                  shown_length(*c.inflow.depth),

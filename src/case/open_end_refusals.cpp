@@ -16,7 +16,7 @@ namespace riffle::inline case_file {
 
 namespace {
 
-/// Cross-sections and beds of heights, which in space end in walls or repeat.
+/// Cross-sections and beds of heights.
 bool is_bed_in_space(const Case& c, const Solid& solid) { return in_space(c) && is_bed_shape(solid.shape); }
 
 /// Whether something of a solid stands within a distance of either end, unless it carries the water through.
@@ -118,7 +118,7 @@ CheckList open_end_refusals() {
                  if (!q || c.outflow.kind != OutflowKind::depth || !c.outflow.depth) {
                      return Findings{};
                  }
-                 const double critical = critical_depth_of(c.normal_gravity(), *q);
+                 const double critical = critical_depth_of(c, *q);
                  return found_if(over_floor(c, *c.outflow.depth, end_floors(c).downstream) < critical,
                                  "depth is {}, the critical depth of the discharge {}",
                                  shown_length(*c.outflow.depth),
@@ -157,7 +157,7 @@ CheckList open_end_refusals() {
                  if (!q || c.inflow.depth || !c.inflow.depth_file.empty() || is_duct(c)) {
                      return Findings{};
                  }
-                 const double critical = critical_depth_of(c.normal_gravity(), *q);
+                 const double critical = critical_depth_of(c, *q);
                  return found_if(critical > 2.0 * c.total_depth(),
                                  "depth is {}, the critical depth of the discharge {}",
                                  shown_length(c.channel.depth), shown_length(critical - c.datum()));
@@ -306,13 +306,6 @@ CheckList open_end_refusals() {
              "free bodies are held back before either end by the stretch over which the water is watched there: two kernel supports or a quarter of the depth, whichever is longer",
              "move it, or make the channel longer",
              [](const Case& c, const Solid& solid) { return beyond_racks(c, solid); }},
-            {{"channel.ends", "solid.shape"},
-             "a cross-section or a bed of heights in three dimensions",
-             "water enters and leaves over the bed of the channel there, of one depth across its width",
-             "let the ends be periodic or walls, compute it in two dimensions, or build the banks of [[solid]] that end before the stretches where the water is watched: four smoothing lengths or a quarter of the depth, whichever is longer, from the ends",
-             [](const Case& c, const Solid& solid) {
-                 return found_if(is_bed_in_space(c, solid), "\"{}\" is a bed of its own shape", solid.name);
-             }},
             {{"solid.x", "channel.ends"},
              "a solid in the water that enters or leaves",
              "beside either end the water is watched over two kernel supports or a quarter of the depth, whichever is longer",

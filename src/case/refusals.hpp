@@ -37,12 +37,13 @@ void refuse_to_run(const Case& c);
 [[nodiscard]] CheckList bed_refusals();
 [[nodiscard]] CheckList wall_law_refusals();  ///< beds by roughness and smooth ones
 [[nodiscard]] CheckList channel_refusals();
-[[nodiscard]] CheckList open_end_refusals();    ///< open ends
-[[nodiscard]] CheckList inflow_refusals();      ///< what enters there
-[[nodiscard]] CheckList closed_end_refusals();  ///< any other ends
-[[nodiscard]] CheckList plane_refusals();       ///< two dimensions
-[[nodiscard]] CheckList space_refusals();       ///< three dimensions
-[[nodiscard]] CheckList sphere_refusals();      ///< spheres in three dimensions
+[[nodiscard]] CheckList open_end_refusals();      ///< open ends
+[[nodiscard]] CheckList open_section_refusals();  ///< open ends of a channel with a cross-section
+[[nodiscard]] CheckList inflow_refusals();        ///< what enters there
+[[nodiscard]] CheckList closed_end_refusals();    ///< any other ends
+[[nodiscard]] CheckList plane_refusals();         ///< two dimensions
+[[nodiscard]] CheckList space_refusals();         ///< three dimensions
+[[nodiscard]] CheckList sphere_refusals();        ///< spheres in three dimensions
 [[nodiscard]] CheckList side_wall_refusals();
 [[nodiscard]] CheckList method_refusals();
 [[nodiscard]] CheckList reference_refusals();  ///< a hydrostatic reference pressure

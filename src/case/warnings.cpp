@@ -6,6 +6,7 @@
 #include "case/bed_friction.hpp"
 #include "case/bed_traits.hpp"
 #include "case/conversion.hpp"
+#include "case/cross_section.hpp"
 #include "case/end_levels.hpp"
 #include "case/flow_kind.hpp"
 #include "case/key_table.hpp"
@@ -155,7 +156,11 @@ CheckList make_warnings() {
          "the varied flow of the start knows the bed alone: over a weir or past a pier the run begins with another "
          "flow, and has to find its own",
          "kind = \"rest\" with start.water_x and start.water_z gives each pool its level",
-         [](const Case& c) { return c.start.kind == StartKind::backwater && !c.solids.empty(); }},
+         [](const Case& c) {
+             const std::size_t known =
+                 canal_of(c) != nullptr ? 1 : 0;  // the section that the flow is found for
+             return c.start.kind == StartKind::backwater && c.solids.size() > known;
+         }},
         {{"start.lattice", "start.kind"},
          "`lattice = \"body-centred\"` of water that does not start at rest",
          "\"body-centred\" has no layers that slide in a shear flow (docs/theory.md, section 12)",

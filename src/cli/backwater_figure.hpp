@@ -18,7 +18,9 @@ struct BackwaterStation {
     double froude = 0;
     double manning = 0;  ///< n, s/m^(1/3)
     double friction_slope = 0;
-    std::string profile;  ///< M1 to A3
+    double area = 0;       ///< of the water's section, m2
+    double top_width = 0;  ///< of the surface, m
+    std::string profile;   ///< M1 to A3
 };
 
 /// The long profile with bed, surface, energy grade line, normal and critical depth, and velocity, Froude

@@ -25,6 +25,8 @@ BackwaterStation station(const Backwater& b, const SurfaceProfile& part, double 
     s.friction_slope = state.friction_slope;
     s.froude = channel.froude_number(s.depth);
     s.manning = channel.manning(s.depth);
+    s.area = channel.area(s.depth) * b.width;
+    s.top_width = b.width * (channel.section ? channel.section->top_width(s.depth) : 1.0);
     s.profile = part.name;
     return s;
 }
@@ -62,6 +64,8 @@ constexpr Quantity1D quantities[] = {
     {"froude", "Fr", &BackwaterStation::froude},
     {"manning", "n [s/m^(1/3)]", &BackwaterStation::manning},
     {"friction_slope", "S_f", &BackwaterStation::friction_slope},
+    {"area", "area [m2]", &BackwaterStation::area},
+    {"top_width", "top width [m]", &BackwaterStation::top_width},
 };
 
 }  // namespace
@@ -133,8 +137,9 @@ void print_backwater(const Case& c, const Backwater& b, const std::vector<Backwa
                    printed_number(s.velocity), printed_number(s.froude), printed_number(s.manning),
                    s.profile);
     }
-    fmt::print(
-        "\nElevations over the bed at the downstream end. Wide channel: the hydraulic\nradius is the depth.\n");
+    fmt::print("\nElevations over the bed at the downstream end. {}\n",
+               b.channel.section ? "n with the hydraulic radius of\nthe section."
+                                 : "Wide channel: the hydraulic\nradius is the depth.");
     for (const auto* sentences : {&b.flow.events, &b.notes}) {
         for (const std::string& sentence : *sentences) fmt::print("{}\n", wrapped_text(sentence, 0));
     }

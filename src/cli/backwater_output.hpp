@@ -14,6 +14,7 @@ struct Backwater {
     std::string friction;  ///< "column twin" ...
     double discharge = 0.0;
     double length = 0.0;
+    double width = 0.0;  ///< of the channel, m
     SteadyChannel channel;
     VariedFlow flow;
     std::vector<std::string> notes;

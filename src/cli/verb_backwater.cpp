@@ -20,6 +20,7 @@
 #include "cli/terminal.hpp"
 #include "cli/text_output.hpp"
 #include "cli/verbs.hpp"
+#include "column/canal_channel.hpp"
 #include "column/twin_channel.hpp"
 #include "column/twin_reaches.hpp"
 #include "ends/end_input.hpp"
@@ -73,6 +74,18 @@ GivenFriction friction_of(const BackwaterArguments& a) {
     return friction;
 }
 
+/// The cross-section of the channel of a case, where it has one of its own.
+std::shared_ptr<const SectionShape> section_shape(const Case& c) {
+    const Solid* const section = section_of(c);
+    return section != nullptr ? shape_of_section(c, *section) : nullptr;
+}
+
+/// Whether that has a friction of its own.
+bool is_canal(const Case& c) {
+    const Solid* const section = section_of(c);
+    return section != nullptr && section->surface == SolidSurface::log_law;
+}
+
 /// Unit discharge, as given (m3/s of the whole width, or m2/s) or that of the case's uniform flow.
 double unit_discharge(const std::string& given, const GivenFriction& friction, const Case& c) {
     if (!given.empty()) {
@@ -95,7 +108,15 @@ double unit_discharge(const std::string& given, const GivenFriction& friction, c
             "the bed of the case does not fall (channel.slope = 0), so that it has no uniform flow whose discharge could "
             "be taken: give --discharge");
     }
-    if (friction.manning) return manning_unit_discharge(c.channel.slope, c.channel.depth, *friction.manning);
+    const auto shape = section_shape(c);
+    if (friction.manning) {
+        return manning_unit_discharge(c.channel.slope, c.channel.depth, *friction.manning, shape.get());
+    }
+    if (const auto& k = friction.equivalent_roughness; k && shape) {
+        Case other = c;
+        other.solids[static_cast<std::size_t>(section_of(c) - c.solids.data())].equivalent_roughness = *k;
+        return canal_uniform_discharge(other, c.channel.depth);
+    }
     if (const auto& k = friction.equivalent_roughness) {
         if (c.channel.depth < *k) {
             throw InputError(fmt::format(
@@ -109,7 +130,14 @@ double unit_discharge(const std::string& given, const GivenFriction& friction, c
 }
 
 SteadyChannel channel_of(const GivenFriction& friction, const Case& c, double q) {
-    if (friction.manning) return manning_channel(c.channel.slope, c.fluid.gravity, q, *friction.manning);
+    const auto shape = section_shape(c);
+    if (friction.manning) {
+        return manning_channel(c.channel.slope, c.fluid.gravity, q, *friction.manning, shape);
+    }
+    if (const auto& k = friction.equivalent_roughness; k && shape) {
+        return colebrook_channel(c.channel.slope, c.fluid.gravity, q, *k, c.fluid.kinematic_viscosity, shape);
+    }
+    if (is_canal(c)) return canal_channel(c, q);
     if (const auto& k = friction.equivalent_roughness) {
         return rough_channel(c.channel.slope, c.fluid.gravity, q, *k);
     }
@@ -123,15 +151,20 @@ SteadyChannel channel_of(const GivenFriction& friction, const Case& c, double q)
 
 /// The beds one behind the other; one of them where the friction is given.
 std::vector<Reach> reaches_of(const GivenFriction& friction, const Case& c, const Backwater& b) {
-    return is_given(friction) ? std::vector<Reach>{{"", 0.0, b.length, b.channel}}
-                              : twin_reaches(c, b.channel.unit_discharge, b.length);
+    return is_given(friction) || is_canal(c) ? std::vector<Reach>{{"", 0.0, b.length, b.channel}}
+                                             : twin_reaches(c, b.channel.unit_discharge, b.length);
 }
 
 std::string friction_text(const GivenFriction& friction, const Case& c) {
     if (friction.manning) return fmt::format("Manning n {} s/m^(1/3)", printed_number(*friction.manning));
+    const auto by_radius = [](double k) {
+        return fmt::format("Colebrook and White, k_s {} m, by the hydraulic radius", printed_number(k));
+    };
     if (const auto& k = friction.equivalent_roughness) {
-        return fmt::format("rough log law, k_s {} m", printed_number(*k));
+        return section_of(c) != nullptr ? by_radius(*k)
+                                        : fmt::format("rough log law, k_s {} m", printed_number(*k));
     }
+    if (is_canal(c)) return by_radius(section_of(c)->equivalent_roughness);
     return has_section_reach(c) ? "section twin, between side walls" : "column twin";
 }
 
@@ -241,13 +274,6 @@ Backwater solve(const BackwaterArguments& a, Case c) {
     }
     Backwater b;
     const GivenFriction friction = friction_of(a);
-    if (const Solid* const canal = is_given(friction) ? canal_of(c) : nullptr) {
-        throw InputError(fmt::format(
-            "the solid \"{}\" makes the channel of the case a canal of its own section, and backwater knows a wide "
-            "rectangle alone: its depths, discharge and critical depth would be those of another channel; `riffle "
-            "check` prints the uniform flow of the section",
-            canal->name));
-    }
     b.friction = friction_text(friction, c);
     std::optional<EndInput> ends;
     if (c.channel.ends == Ends::open) ends = read_end_levels(c);
@@ -261,6 +287,7 @@ Backwater solve(const BackwaterArguments& a, Case c) {
     if (a.slope) c.channel.slope = *a.slope;
     b.channel = channel_of(friction, c, q);
     b.discharge = q * c.channel.width;
+    b.width = c.channel.width;
     ChannelControls controls;
     if (ends) {
         controls = controls_between_ends(a, c, *ends, b);
@@ -276,7 +303,7 @@ Backwater solve(const BackwaterArguments& a, Case c) {
     }
     b.length = controls.length;
     b.flow = solve_varied_reaches(reaches_of(friction, c, b), controls);
-    if (has_bodies(c)) {
+    if (c.solids.size() > (section_of(c) != nullptr ? 1U : 0U)) {
         b.notes.emplace_back(
             "The solids of the case take no part: this is the flow along its bed without them, and what they raise the water "
             "by is what a run has more.");
@@ -293,7 +320,7 @@ Backwater solve(const BackwaterArguments& a, Case c) {
     if (!c.bed_patches.empty() && is_given(friction)) {
         b.notes.emplace_back("The given friction is that of the whole bed: its patches take no part.");
     }
-    if (c.has_side_walls() && (is_given(friction) || !has_section_reach(c))) {
+    if (c.has_side_walls() && section_of(c) == nullptr && (is_given(friction) || !has_section_reach(c))) {
         b.notes.emplace_back(
             "The friction of the side walls takes no part: the channel is as good as endlessly wide.");
     }

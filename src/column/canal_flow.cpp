@@ -9,7 +9,7 @@ namespace riffle::inline column {
 
 std::optional<CanalFlow> canal_flow(const Case& c) {
     const Solid* const canal = canal_of(c);
-    if (canal == nullptr) return std::nullopt;
+    if (canal == nullptr || c.channel.ends != Ends::periodic) return std::nullopt;
     CanalFlow flow;
     const CrossSection section = cross_section(c, *canal);
     const double level = c.total_depth();

@@ -18,7 +18,8 @@ struct CanalFlow {
     bool alone = true;              ///< nothing but the section holds the water back: no stems, no stones
 };
 
-/// Nothing where a case is no canal (canal_of()), or its roughness too large for the equation.
+/// Nothing where a case is no canal (canal_of()) between periodic ends, or its roughness too large for the
+/// equation.
 [[nodiscard]] std::optional<CanalFlow> canal_flow(const Case& c);
 
 }  // namespace riffle::inline column

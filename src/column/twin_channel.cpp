@@ -11,9 +11,11 @@
 
 #include "base/error.hpp"
 #include "case/bed_patch.hpp"
+#include "case/cross_section.hpp"
 #include "case/flow_kind.hpp"
 #include "case/patch_range.hpp"
 #include "case/porous_zone.hpp"
+#include "column/canal_channel.hpp"
 #include "column/column.hpp"
 #include "turbulence/wall_law.hpp"
 
@@ -114,6 +116,7 @@ class TwinStates {
 }  // namespace
 
 double least_known_depth(const Case& c) {
+    if (canal_of(c) != nullptr) return canal_channel(c, 1.0).least_depth;
     constexpr double least_share = 1e-3;  // of the case's depth, over a smooth bed
     // A log law holds in water of twice its roughness and more.
     const auto of_law = [](const Case& bed) {
@@ -156,9 +159,11 @@ Case sloping_reach(const Case& c) {
 
 }  // namespace
 
-bool has_section_reach(const Case& c) { return has_section(sloping_reach(c)); }
+bool has_section_reach(const Case& c) { return section_of(c) == nullptr && has_section(sloping_reach(c)); }
 
-bool has_column_reach(const Case& c) { return has_column(sloping_reach(c)); }
+bool has_column_reach(const Case& c) {
+    return section_of(c) != nullptr ? canal_of(c) != nullptr : has_column(sloping_reach(c));
+}
 
 namespace {
 
@@ -223,6 +228,7 @@ CarryingSection carrying_section(const Case& c, double depth, double unit_discha
 }
 
 double uniform_discharge_at(const Case& c, double depth) {
+    if (canal_of(c) != nullptr) return canal_uniform_discharge(c, depth);
     Case at = uniform_reach(with_fixed_roughness(c));
     at.channel.depth = depth;
     return has_section_reach(c) ? solve_section(at, coarse).discharge / at.channel.width
@@ -258,12 +264,14 @@ std::optional<double> twin_normal_depth(const Case& c, double unit_discharge) {
 }
 
 double uniform_unit_discharge(const Case& c) {
+    if (canal_of(c) != nullptr) return canal_uniform_discharge(c, c.channel.depth);
     const Case reach = uniform_reach(c);
     return has_section_reach(c) ? solve_section(reach).discharge / c.channel.width
                                 : means_of(solve_column(reach).profile).unit_discharge;
 }
 
 SteadyChannel twin_channel(const Case& c, double unit_discharge) {
+    if (canal_of(c) != nullptr) return canal_channel(c, unit_discharge);
     const double least_depth = least_known_depth(c);
     SteadyChannel channel{.slope = c.channel.slope,
                           .gravity = c.fluid.gravity,

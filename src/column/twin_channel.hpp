@@ -17,7 +17,7 @@ namespace riffle::inline column {
 /// Whether the twin of that reach is one of the cross-section, between side walls.
 [[nodiscard]] bool has_section_reach(const Case& c);
 
-/// Whether it has a column twin, whatever its slope.
+/// Whether it has a column twin, whatever its slope; a canal has the friction of its section in its place.
 [[nodiscard]] bool has_column_reach(const Case& c);
 
 /// A column twin and the weight along the bed that drives it, m/s2.
@@ -64,7 +64,8 @@ struct CarryingSection {
 /// The states are found at depths 10 % apart when they are first asked for and interpolated between them in
 /// ln h (five-degree polynomials, to 5e-6 of the discharge of the column). Known from where the water covers
 /// the crests, over a bed by roughness from twice its k_s, over a smooth bed from a thousandth of the depth
-/// of the case. Throws InputError where the case has no column twin for another reason than its slope.
+/// of the case. Of a canal canal_channel(). Throws InputError where the case has no column twin for another
+/// reason than its slope.
 [[nodiscard]] SteadyChannel twin_channel(const Case& c, double unit_discharge);
 
 }  // namespace riffle::inline column

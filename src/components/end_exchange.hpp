@@ -91,17 +91,17 @@ template <int D>
 /// replaced: places behind the last particles of the rows, up to `support` (m) beyond the end, as many as the
 /// water lacks from the end of that on to where it is still full, where the rows are shortest. (Rows of water
 /// that has been in the channel are in disorder, and their number changes with the depth; one that looked
-/// empty was filled from the end of the channel on, and a wave half a row high ran up it.) `width` (m): of
-/// the water; 1 in two dimensions.
+/// empty was filled from the end of the channel on, and a wave half a row high ran up it.) `area` (m2): of
+/// the water's section; its depth in two dimensions.
 template <int D>
 [[nodiscard]] std::vector<Vec<D>> gaps_behind_outflow(const Particles<D>& p, const Lattice& lattice,
                                                       const InflowStreams& streams, const EndRows& of,
                                                       double length, double support, double density,
-                                                      double width) {
+                                                      double area) {
     const double step = streams.length(of.rows, of.depth);
     const auto slices = static_cast<std::size_t>(std::lround(support / step));
     const double slice = support / static_cast<double>(slices);
-    const double due = slice * of.depth * width;
+    const double due = slice * area;
     const double end = length + support;
     // Volume by slice, from the far end on; each particle as long as its row demands.
     std::vector<double> volume(slices, 0.0);
@@ -126,6 +126,13 @@ template <int D>
     const int files = lattice.files;
     std::vector<double> last(static_cast<std::size_t>(of.rows) * static_cast<std::size_t>(files),
                              from - 0.5 * step);
+    for (int row = 0; row < of.rows; ++row) {
+        for (int file = 0; file < files; ++file) {
+            if (streams.lattice().holds(row, file)) continue;
+            last[static_cast<std::size_t>(row) * static_cast<std::size_t>(files) +
+                 static_cast<std::size_t>(file)] = end;
+        }
+    }
     const auto index = [](double place, int count) {
         return static_cast<std::size_t>(std::clamp(place, 0.0, count - 0.5));
     };

@@ -7,14 +7,12 @@
 #include <vector>
 
 #include "case/end_buffers.hpp"
-#include "case/end_floor.hpp"
 #include "case/end_levels.hpp"
 #include "components/end_exchange.hpp"
+#include "components/end_profiles.hpp"
 #include "components/end_sound.hpp"
 #include "components/end_watch.hpp"
-#include "ends/end_sections.hpp"
 #include "ends/inflow_streams.hpp"
-#include "ends/leaving_profile.hpp"
 #include "engine/component.hpp"
 #include "particles/lattice.hpp"
 
@@ -34,16 +32,13 @@ class OpenEnds final : public Component<D, Real> {
           length_(flow.c.channel.length),
           falls_(bed_ends(flow.c)),
           follows_tide_(tailwater_changes(flow.c)),
-          gravity_(flow.scheme.normal_gravity),
-          floors_(end_floors(flow.c)),
-          sections_(read_end_input(flow.c), gravity_, flow.scheme.state.sound_speed, lattice_.dz),
-          leaving_(lattice_.dz),
+          profiles_(flow, lattice_),
           travel_(end_travel(flow.c)),
           support_(end_support(flow.c)),
           watch_(length_, watched_spacings(flow.c) * lattice_.dx),
           sound_(flow, lattice_, watch_.half(), support_ + travel_ + 2.0 * lattice_.dx),
-          streams_(lattice_.files, lattice_.dx * lattice_.dz, lattice_.dz, -(support_ + travel_)) {
-        for (int file = 0; file < lattice_.files; ++file) files_.push_back(lattice_.y(file, 0));
+          streams_(lattice_.files, lattice_.dx * lattice_.dz, lattice_.dz, -(support_ + travel_),
+                   profiles_.places()) {
         flow.inputs.acceleration = true;
         begin(flow);
     }
@@ -88,24 +83,16 @@ class OpenEnds final : public Component<D, Real> {
         OpenEndsState& state = flow.clock.open_ends;
         step_ = dt;
         const double smoothing =
-            std::min(1.0, dt / (2.0 * watch_.half() / sections_.signal_speed(flow.scheme.depth)));
-        const auto start = watch_.watch(flow, 0);
-        const auto end = watch_.watch(flow, 1);
+            std::min(1.0, dt / (2.0 * watch_.half() / sections().signal_speed(flow.scheme.depth)));
+        const auto start = profiles_.watched(flow, watch_, 0);
+        const auto end = profiles_.watched(flow, watch_, 1);
         start.smooth_into(state.upstream, smoothing);
         end.smooth_into(state.downstream, smoothing);
-        sections_.follow_upstream(state.upstream, flow.clock.time, dt);
-        sections_.follow_downstream(state.downstream, flow.clock.time, dt);
+        sections().follow_upstream(state.upstream, flow.clock.time, dt);
+        sections().follow_downstream(state.downstream, flow.clock.time, dt);
         follow_sound(flow, dt);
-        leaving_.clear(state);
-        for (const std::size_t i : watch_.near(1)) {
-            const Particles<D>& p = flow.particles;
-            if (const double hat = watch_.hat_at(length_ - p.position[0][i]); hat > 0.0) {
-                leaving_.add(state, over_floor(flow, i, false), hat * p.mass[i], p.velocity[0][i]);
-            }
-        }
-        leaving_.finish(state, leaving_speed(state, std::max(state.downstream.watched_depth, lattice_.dz)),
-                        dt);
-        go_to_now(flow);
+        profiles_.follow_leaving(flow, watch_, state, dt);
+        profiles_.go_to_now(flow);
         fastest_ = std::max(start.fastest, end.fastest);
     }
 
@@ -117,7 +104,8 @@ class OpenEnds final : public Component<D, Real> {
             const EndState& section =
                 entering ? flow.clock.open_ends.upstream : flow.clock.open_ends.downstream;
             flow.particles.density_deviation[i] = flow.scheme.state.deviation(
-                pressure_of(section, over_floor(flow, i, entering)) + sound_at(flow, i, entering));
+                profiles_.pressure_of(section, profiles_.over_floor(flow, i, entering)) +
+                sound_at(flow, i, entering));
             task.sums.gradient.density_rate[lane] = Real(0);
             task.sums.gradient.diffusion[lane] = Real(0);
             task.sums.gradient.regularity[lane] = Real(1);
@@ -151,25 +139,18 @@ class OpenEnds final : public Component<D, Real> {
         OpenEndsState& state = flow.clock.open_ends;
         const EndState& end = state.upstream;
         streams_.advance(state, step_, spreading(end), [&](int row, int file) {
-            const double place = (row + 0.5) / state.rows;
-            return end.velocity * entering().at(moment_, files_[static_cast<std::size_t>(file)], place)[0] /
-                   entering_mean_;
+            return end.velocity * profiles_.entering_in_stream(row, file, state.rows) /
+                   profiles_.entering_mean();
         });
-        state.travel += step_ * std::max(fastest_, std::abs(end.velocity) * entering().fastest());
+        state.travel += step_ * std::max(fastest_, std::abs(end.velocity) * profiles_.entering().fastest());
     }
 
     [[nodiscard]] std::size_t bytes() const override {
-        return near_end_.capacity() + watch_.bytes() + entering().bytes();
+        return near_end_.capacity() + watch_.bytes() + profiles_.entering().bytes();
     }
 
   private:
-    [[nodiscard]] const EnteringFlow& entering() const { return *sections_.input().entering; }
-
-    /// What enters is that of the time now.
-    void go_to_now(const Flow& flow) {
-        moment_ = flow.clock.time;
-        entering_mean_ = entering().mean_of_streams(moment_, flow.clock.open_ends.rows, files_);
-    }
+    [[nodiscard]] const EndSections& sections() const { return profiles_.sections(); }
 
     /// See the particles as they stand, before any list.
     void look(const Flow& flow) {
@@ -189,46 +170,37 @@ class OpenEnds final : public Component<D, Real> {
             // The particles say it.
             look(flow);
             const auto section = [&](std::size_t end) {
-                const auto water = watch_.watch(flow, end);
+                const auto water = profiles_.watched(flow, watch_, end);
                 // A duct is as high as it is.
-                const double depth =
-                    sections_.in_duct()
-                        ? flow.c.total_depth() - (end == 0 ? floors_.upstream : floors_.downstream)
-                        : std::max(water.depth, lattice_.dz);
-                return sections_.start(depth, depth * water.velocity);
+                const double depth = sections().in_duct()
+                                         ? flow.c.total_depth() - (end == 0 ? profiles_.floors().upstream
+                                                                            : profiles_.floors().downstream)
+                                         : std::max(water.depth, lattice_.dz);
+                return sections().start(depth, sections().waves().area(depth) * water.velocity);
             };
             state.upstream = section(0);
             state.downstream = section(1);
         } else {
-            const auto depth = start_depths(flow.c, sections_.input());
+            const auto depth = start_depths(flow.c, sections().input());
             const double q =
-                flow.c.start.kind == StartKind::rest ? 0.0 : start_unit_discharge(flow.c, sections_.input());
-            state.upstream = sections_.start(depth(0.0) - floors_.upstream, q);
+                flow.c.start.kind == StartKind::rest ? 0.0 : start_unit_discharge(flow.c, sections().input());
+            state.upstream = sections().start(depth(0.0) - profiles_.floors().upstream, q);
             state.upstream.depth = std::max(state.upstream.depth, lattice_.dz);
-            state.downstream = sections_.start(std::max(0.0, depth(length_) - floors_.downstream), q);
+            state.downstream =
+                sections().start(std::max(0.0, depth(length_) - profiles_.floors().downstream), q);
         }
-        const int bins = std::max(4, lattice_.rows / 2);
-        for (int bin = 0; bin < bins; ++bin) {
-            state.leaving.push_back(state.downstream.velocity * mean_across((bin + 0.5) / bins));
-        }
+        profiles_.begin_leaving(state);
         streams_.begin(state, streams_.rows_for(state.upstream.depth), 0.5 * lattice_.dx);
     }
 
-    /// The mean of what enters at z/H across the channel, over that of the section.
-    [[nodiscard]] double mean_across(double place) const {
-        double sum = 0.0;
-        for (const double y : files_) sum += entering().mean_at(y, place);
-        return sum / static_cast<double>(files_.size());
-    }
-
     void follow_sound(Flow& flow, double dt) {
-        if (sections_.in_duct()) return;
+        if (sections().in_duct()) return;
         OpenEndsState& state = flow.clock.open_ends;
         const auto follow = [&](std::size_t end, SoundBeyondEnd& sound, const EndState& section) {
-            const auto height = [&](std::size_t i) { return over_floor(flow, i, end == 0); };
+            const auto height = [&](std::size_t i) { return profiles_.over_floor(flow, i, end == 0); };
             sound_.advance(
                 flow, watch_, end, sound, section,
-                [&](std::size_t i) { return pressure_of(section, height(i)); }, height, dt);
+                [&](std::size_t i) { return profiles_.pressure_of(section, height(i)); }, height, dt);
         };
         follow(0, state.sound_upstream, state.upstream);
         if (!falls_) follow(1, state.sound_downstream, state.downstream);
@@ -237,10 +209,10 @@ class OpenEnds final : public Component<D, Real> {
     /// Pressure over the density of the sound at a particle beyond an end.
     [[nodiscard]] double sound_at(const Flow& flow, std::size_t i, bool entering) const {
         const OpenEndsState& state = flow.clock.open_ends;
-        return entering ? sound_.at(flow, 0, state.sound_upstream.now, i, over_floor(flow, i, true),
+        return entering ? sound_.at(flow, 0, state.sound_upstream.now, i, profiles_.over_floor(flow, i, true),
                                     state.upstream)
-                        : sound_.at(flow, 1, state.sound_downstream.now, i, over_floor(flow, i, false),
-                                    state.downstream);
+                        : sound_.at(flow, 1, state.sound_downstream.now, i,
+                                    profiles_.over_floor(flow, i, false), state.downstream);
     }
 
     /// -dU/dx of the water beyond an end, 1/s. It rises and falls with a tailwater that changes: where what
@@ -254,29 +226,31 @@ class OpenEnds final : public Component<D, Real> {
     /// which they grow to their size.
     [[nodiscard]] Vec<D> entering_velocity(const Flow& flow, std::size_t i) const {
         const EndState& end = flow.clock.open_ends.upstream;
-        const double place = over_floor(flow, i, true) / end.depth;
+        const double place = profiles_.over_floor(flow, i, true) / end.depth;
         const double y = across_of<D>(flow.particles.position, i);
-        const Vec<3> relative = entering().at(moment_, y, place);
+        const Vec<3> relative = profiles_.entering_at(y, place);
         const double grown = std::clamp(1.0 + flow.particles.position[0][i] / support_, 0.0, 1.0);
         Vec<D> u{};
-        u[0] = end.velocity * relative[0] / entering_mean_ + sound_.velocity_of(0, sound_at(flow, i, true));
+        u[0] = end.velocity * relative[0] / profiles_.entering_mean() +
+               sound_.velocity_of(0, sound_at(flow, i, true));
         u[0] -= flow.particles.position[0][i] * spreading(end);
-        if constexpr (D == 3) u[1] = grown * end.velocity * relative[1] / entering_mean_;
-        u[Flow::vertical] = place * end.depth_rate + grown * end.velocity * relative[2] / entering_mean_;
+        if constexpr (D == 3) u[1] = grown * end.velocity * relative[1] / profiles_.entering_mean();
+        u[Flow::vertical] =
+            place * end.depth_rate + grown * end.velocity * relative[2] / profiles_.entering_mean();
         return u;
     }
 
     /// What leaves goes over to the profile of its section, and to rest across.
     [[nodiscard]] Vec<D> leaving_velocity(const Flow& flow, std::size_t i) const {
         const Vec<D> wanted = leaving_section(flow, i);
-        const double kept =
-            std::exp(-step_ * leaving_speed(flow.clock.open_ends, flow.clock.open_ends.downstream.depth) /
-                     watch_.half());
+        const double kept = std::exp(
+            -step_ * profiles_.leaving_speed(flow.clock.open_ends, flow.clock.open_ends.downstream.depth) /
+            watch_.half());
         Vec<D> u = vector_of(flow.particles.velocity, i);
         for (std::size_t k = 0; k < Flow::axes; ++k) u[k] = wanted[k] + kept * (u[k] - wanted[k]);
         const OpenEndsState& state = flow.clock.open_ends;
-        const double change = sound_.at(flow, 1, state.sound_downstream.change, i, over_floor(flow, i, false),
-                                        state.downstream);
+        const double change = sound_.at(flow, 1, state.sound_downstream.change, i,
+                                        profiles_.over_floor(flow, i, false), state.downstream);
         u[0] += sound_.velocity_of(1, change);
         return u;
     }
@@ -286,7 +260,7 @@ class OpenEnds final : public Component<D, Real> {
         const EndState& end = flow.clock.open_ends.downstream;
         const double place = place_at_outflow(flow, i);
         Vec<D> u{};
-        u[0] = leaving_.at(flow.clock.open_ends, place);
+        u[0] = profiles_.leaving_velocity(flow, i);
         u[0] -= (flow.particles.position[0][i] - length_) * spreading(end);
         u[Flow::vertical] = place * end.depth_rate;
         return u;
@@ -294,24 +268,8 @@ class OpenEnds final : public Component<D, Real> {
 
     /// Height of a particle over the depth at the outflow, where no water may be or a drop of it.
     [[nodiscard]] double place_at_outflow(const Flow& flow, std::size_t i) const {
-        return over_floor(flow, i, false) / std::max(flow.clock.open_ends.downstream.depth, lattice_.dz);
-    }
-
-    /// Height of a particle over what the water of an end stands on.
-    [[nodiscard]] double over_floor(const Flow& flow, std::size_t i, bool entering) const {
-        return flow.particles.position[Flow::vertical][i] -
-               (entering ? floors_.upstream : floors_.downstream);
-    }
-
-    /// Pressure over the density at a height over the floor of an end.
-    [[nodiscard]] double pressure_of(const EndState& end, double height) const {
-        return sections_.in_duct() ? end.pressure : gravity_ * std::max(0.0, end.depth - height);
-    }
-
-    /// Speed at which news of the flow come to the outflow: of its waves, in a duct of the water.
-    [[nodiscard]] double leaving_speed(const OpenEndsState& state, double depth) const {
-        return sections_.in_duct() ? std::abs(state.downstream.watched_velocity)
-                                   : wave_speed(gravity_, depth);
+        return profiles_.over_floor(flow, i, false) /
+               std::max(flow.clock.open_ends.downstream.depth, lattice_.dz);
     }
 
     /// f(particle, lane, whether it enters) for the particles of a block that stand in a buffer, or fall
@@ -357,7 +315,8 @@ class OpenEnds final : public Component<D, Real> {
             if (hat > 0.0) volume += hat * p.mass[i] / (1.0 + p.density_deviation[i]);
         }
         const double width = flow.c.channel.flow_width();
-        const double due = flow.scheme.density * half * width * flow.clock.open_ends.upstream.depth;
+        const double due =
+            flow.scheme.density * half * width * sections().waves().area(flow.clock.open_ends.upstream.depth);
         return volume > 0.0 && std::abs(volume - due) > most * due;
     }
 
@@ -372,16 +331,17 @@ class OpenEnds final : public Component<D, Real> {
     void make(Flow& flow) {
         OpenEndsState& state = flow.clock.open_ends;
         const EndState& end = state.upstream;
-        go_to_now(flow);
-        if (flow.clock.steps > 0) leaving_.go_on(state);  // after a restore it knows nothing of the last step
+        profiles_.go_to_now(flow);
+        if (flow.clock.steps > 0)
+            profiles_.go_on(state);  // after a restore it knows nothing of the last step
         const auto add = [&](const std::vector<Vec<D>>& places, bool entering, const auto& velocity) {
             const EndState& section = entering ? state.upstream : state.downstream;
             const auto pressure = [&](std::size_t i) {
-                return pressure_of(section, over_floor(flow, i, entering));
+                return profiles_.pressure_of(section, profiles_.over_floor(flow, i, entering));
             };
             add_with_account(flow, lattice_.volume(), places, pressure, velocity);
         };
-        const EndRows before{.rows = state.rows, .depth = end.depth, .floor = floors_.upstream};
+        const EndRows before{.rows = state.rows, .depth = end.depth, .floor = profiles_.floors().upstream};
         std::vector<Vec<D>> places;
         streams_.fill(state, end.depth, [&](int row, int file, double x) {
             places.push_back(place_in_rows<D>(lattice_, streams_, before, row, file, x));
@@ -389,9 +349,11 @@ class OpenEnds final : public Component<D, Real> {
         add(places, true, [&](std::size_t i) { return entering_velocity(flow, i); });
         if (falls_ || state.downstream.velocity >= 0.0) return;
         const double depth = std::max(state.downstream.depth, lattice_.dz);
-        const EndRows behind{.rows = streams_.rows_for(depth), .depth = depth, .floor = floors_.downstream};
+        const EndRows behind{
+            .rows = streams_.rows_for(depth), .depth = depth, .floor = profiles_.floors().downstream};
         add(gaps_behind_outflow(flow.particles, lattice_, streams_, behind, length_, support_,
-                                flow.scheme.density, flow.c.channel.flow_width()),
+                                flow.scheme.density,
+                                sections().waves().area(depth) * flow.c.channel.flow_width()),
             false, [&](std::size_t i) { return leaving_section(flow, i); });
     }
 
@@ -399,21 +361,15 @@ class OpenEnds final : public Component<D, Real> {
     double length_;
     bool falls_;         ///< over the edge of the bed at x = L
     bool follows_tide_;  ///< the tailwater changes
-    double gravity_;
-    EndFloors floors_;
-    EndSections sections_;
-    LeavingProfile leaving_;
+    EndProfiles<D, Real> profiles_;
     double travel_;   ///< of water at an end from list build to list build, m
     double support_;  ///< water that must stand beyond an end, m
     EndWatch<D, Real> watch_;
     EndSound<D, Real> sound_;
     InflowStreams streams_;
-    std::vector<double> files_;           ///< places of the streams across the channel, m
     std::vector<std::uint8_t> near_end_;  ///< by cluster
     double step_ = 0.0;                   ///< dt of the step in progress
     double kick_ = 0.0;                   ///< dt of the velocities
-    double moment_ = 0.0;                 ///< time of what enters, s
-    double entering_mean_ = 1.0;          ///< of it over its streams, over that of the section
     double fastest_ = 0.0;                ///< at the ends, m/s
 };
 

@@ -79,7 +79,7 @@ void require_supercritical_inflow(const Case& c, const EndInput& input, double f
     for (const double time : times_to_look_at(c, input)) {
         const double depth = input.inflow_depth->at(time);
         const double discharge = input.unit_discharge->at(time);
-        const double critical = critical_depth_of(c.normal_gravity(), discharge);
+        const double critical = critical_depth_of(c, discharge);
         if (depth <= (1.0 + nearly_critical) * critical) continue;
         const auto level = [&](double over_floor) { return shown_length(over_floor + floor - c.datum()); };
         throw FileError(fmt::format(
@@ -113,7 +113,7 @@ void require_subcritical_outflow(const Case& c, const EndInput& input, double fl
     if (holding.what.empty() || !input.unit_discharge || !input.outflow_depth) return;
     std::vector<double> times = times_to_look_at(c, input);
     const auto critical_at = [&](double time) {
-        return critical_depth_of(c.normal_gravity(), input.unit_discharge->at(time));
+        return critical_depth_of(c, input.unit_discharge->at(time));
     };
     const auto held_at = [&](double time) {
         return input.outflow_depth(input.unit_discharge->at(time), time);

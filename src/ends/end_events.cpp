@@ -52,7 +52,7 @@ std::vector<std::string> EndEvents::news(const OpenEndsState& ends, double time)
                                time);
         });
 
-    const double swing = back_share * wave_speed(gravity_, out.depth);
+    const double swing = back_share * wave_speed(waves_, out.depth);
     const bool leaves = out.velocity > swing;
     change(
         reversed_, out.velocity < -swing, leaves,
@@ -66,7 +66,7 @@ std::vector<std::string> EndEvents::news(const OpenEndsState& ends, double time)
 
     const EndState& in = ends.upstream;
     change(
-        drowned_, in.velocity > wave_speed(gravity_, in.depth) && in.watched_depth > drowned_share * in.depth,
+        drowned_, in.velocity > wave_speed(waves_, in.depth) && in.watched_depth > drowned_share * in.depth,
         in.watched_depth < shooting_share * in.depth,
         [&] {
             return fmt::format(

@@ -1,8 +1,10 @@
 #pragma once
 
 #include <string>
+#include <utility>
 #include <vector>
 
+#include "ends/long_waves.hpp"
 #include "ends/open_ends_state.hpp"
 
 namespace riffle::inline ends {
@@ -17,10 +19,10 @@ inline constexpr double drowned_share = 1.5;
 /// that it happens.
 class EndEvents {
   public:
-    /// `gravity`: normal to the bed, m/s2; `least_depth`: that of a film or a drop, m; `holds`: whether the
-    /// case gives the depth at the outflow.
-    EndEvents(double gravity, double least_depth, bool holds)
-        : gravity_(gravity), least_depth_(least_depth), holds_(holds) {}
+    /// `waves`: of the cross-section of the ends; `least_depth`: that of a film or a drop, m; `holds`:
+    /// whether the case gives the depth at the outflow.
+    EndEvents(LongWaves waves, double least_depth, bool holds)
+        : waves_(std::move(waves)), least_depth_(least_depth), holds_(holds) {}
 
     /// Go on with ends that have been restored: what lasts there has been told.
     void go_on(const OpenEndsState& ends);
@@ -34,7 +36,7 @@ class EndEvents {
         int times = 0;
     };
 
-    double gravity_;
+    LongWaves waves_;
     double least_depth_;
     bool holds_;
     bool wetted_ = false;  ///< there has been water at the outflow

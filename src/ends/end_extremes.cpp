@@ -5,9 +5,11 @@
 #include <limits>
 
 #include "case/bed_patch.hpp"
+#include "case/cross_section.hpp"
 #include "case/end_floor.hpp"
 #include "case/end_levels.hpp"
 #include "case/flow_kind.hpp"
+#include "column/canal_channel.hpp"
 #include "column/twin_channel.hpp"
 #include "column/uniform_rating.hpp"
 
@@ -20,9 +22,18 @@ namespace {
 /// drag; where nothing holds the water back, neither bed nor outflow, that of its free fall along the
 /// channel. Infinite on a mild slope.
 double shooting_depth(const Case& c, double q) {
-    const double critical = critical_depth_of(c.normal_gravity(), q);
+    const double critical = critical_depth_of(c, q);
     double depth = std::numeric_limits<double>::infinity();
     if (!(c.streamwise_gravity() > 0.0) || !(q > 0.0)) return depth;
+    if (canal_of(c) != nullptr) {
+        return uniform_discharge_at(c, critical) > q ? UniformRating(c).depth(q) : depth;
+    }
+    if (const Solid* const solid = section_of(c)) {
+        const auto section = shape_of_section(c, *solid);
+        const double begin = q / section->area(critical);
+        const double fall = 2.0 * c.streamwise_gravity() * c.channel.length;
+        return section->depth_of_area(q / std::sqrt(begin * begin + fall));
+    }
     for (const double place : {0.0, c.channel.length}) {
         Case bed = with_bed_at(c, place);
         bed.channel.sides = Sides::periodic;
@@ -44,7 +55,6 @@ double shooting_depth(const Case& c, double q) {
 }  // namespace
 
 EndExtremes end_extremes(const Case& c, const EndInput& input) {
-    const double g = c.normal_gravity();
     const double q = input.unit_discharge ? input.unit_discharge->largest() : start_unit_discharge(c, input);
     const EndFloors floors = end_floors(c);
     const double floor = std::max(floors.upstream, floors.downstream);
@@ -67,12 +77,14 @@ EndExtremes end_extremes(const Case& c, const EndInput& input) {
         least_depth = std::min(least_depth, depth);
     }
     // Water that rises to carry a flood moves no faster than critical flow, unless it comes in so.
-    const double critical = critical_depth_of(g, q);
+    const double critical = critical_depth_of(c, q);
     extremes.depth = std::max(extremes.depth, floor + critical);
     const double shallow =
         input.inflow_depth ? least_depth : std::min(std::max(least_depth, critical), shooting_depth(c, q));
-    extremes.velocity = std::max(shallow > 0.0 ? input.entering->largest() * q / shallow : 0.0,
-                                 c.start.velocity.value_or(0.0));
+    const Solid* const solid = section_of(c);
+    const double area = solid != nullptr ? mean_depth_over(c, cross_section(c, *solid), shallow) : shallow;
+    extremes.velocity =
+        std::max(area > 0.0 ? input.entering->largest() * q / area : 0.0, c.start.velocity.value_or(0.0));
     return extremes;
 }
 

@@ -12,6 +12,7 @@
 #include "base/error.hpp"
 #include "base/interpolation.hpp"
 #include "case/bed_patch.hpp"
+#include "case/cross_section.hpp"
 #include "case/end_floor.hpp"
 #include "case/end_levels.hpp"
 #include "case/flow_kind.hpp"
@@ -20,6 +21,7 @@
 #include "column/twin_channel.hpp"
 #include "column/twin_reaches.hpp"
 #include "column/uniform_rating.hpp"
+#include "ends/canal_entering.hpp"
 #include "ends/end_checks.hpp"
 #include "ends/end_relaxation.hpp"
 #include "ends/flow_of_results.hpp"
@@ -92,6 +94,10 @@ std::shared_ptr<const EnteringFlow> entering_flow(const Case& c,
                                                   const std::optional<TimeTable>& unit_discharge,
                                                   double floor) {
     const double depth = c.total_depth() - floor;
+    if (section_of(c) != nullptr) {
+        const bool is_canal = canal_of(c) != nullptr;
+        return canal_entering(c, is_canal ? twin_discharge(c, unit_discharge, depth) : 0.0, depth);
+    }
     const auto profile = [](VelocityShape shape) {
         return std::make_shared<const ProfileFlow>(std::move(shape));
     };
@@ -182,7 +188,9 @@ std::function<double(double, double)> outflow_rule(const Case& c, const std::opt
             };
         }
         case OutflowKind::critical_depth:
-            return [g](double q, double) { return critical_depth_of(g, q); };
+            return [of = std::make_shared<const Case>(c)](double q, double) {
+                return critical_depth_of(*of, q);
+            };
         case OutflowKind::weir:
             return [g, crest = outflow.weir_height + datum - floor, cd = outflow.weir_coefficient](
                        double q, double) { return crest + weir_head(g, cd, q); };
@@ -245,7 +253,7 @@ EndInput read_end_levels(const Case& c) {
                          input.inflow_depth->largest() + floors.upstream);
         }
     } else if (!c.inflow.discharge_file.empty() && !is_duct(c)) {
-        const double critical = critical_depth_of(c.normal_gravity(), input.unit_discharge->largest());
+        const double critical = critical_depth_of(c, input.unit_discharge->largest());
         require_room(c, c.inflow.discharge_file.string(), "critical flow with its largest discharge is",
                      critical + std::max(floors.upstream, floors.downstream));
     }

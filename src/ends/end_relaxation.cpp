@@ -4,7 +4,7 @@
 #include <cmath>
 #include <limits>
 
-#include "ends/section_state.hpp"
+#include "ends/long_waves.hpp"
 
 namespace riffle::inline ends {
 
@@ -17,7 +17,7 @@ EndRelaxation end_relaxation(const Case& c, const std::optional<TimeTable>& tail
     const double passage = tailwater ? tailwater->fastest_passage() : 0.0;
     const double following =
         passage > 0.0 ? std::max(unit, share * passage) : std::numeric_limits<double>::infinity();
-    const double along = c.channel.length / wave_speed(c.normal_gravity(), depth);
+    const double along = c.channel.length / waves_of(c).speed(depth);
     return {c.inflow.relaxation_time.value_or(std::min(times_inflow * unit, following)),
             c.outflow.relaxation_time.value_or(std::min(std::max(times_outflow * unit, along), following))};
 }

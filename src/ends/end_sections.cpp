@@ -20,7 +20,7 @@ void go_over_to(EndState& end, const Section& section, double dt) {
 EndState EndSections::start(double depth, double unit_discharge) const {
     EndState end;
     end.depth = depth;
-    end.velocity = depth > 0.0 ? unit_discharge / depth : 0.0;
+    end.velocity = depth > 0.0 ? unit_discharge / waves_.area(depth) : 0.0;
     end.watched_depth = end.depth;
     end.watched_velocity = end.velocity;
     if (in_duct()) {
@@ -29,7 +29,7 @@ EndState EndSections::start(double depth, double unit_discharge) const {
         end.coming = end.velocity - end.pressure / sound_speed_;
         return end;
     }
-    end.coming = end.velocity - 2.0 * wave_speed(gravity_, end.depth);
+    end.coming = end.velocity - waves_.invariant(end.depth);
     return end;
 }
 
@@ -57,17 +57,17 @@ void EndSections::follow_upstream(EndState& end, double time, double dt) const {
         follow_duct_upstream(end, time, dt);
         return;
     }
-    end.coming = end.watched_velocity - 2.0 * wave_speed(gravity_, end.watched_depth);
+    end.coming = end.watched_velocity - waves_.invariant(end.watched_depth);
     Section section;
     if (input_.inflow_depth && input_.unit_discharge) {
         section.depth = reached(end, input_.inflow_depth->at(time), dt);
-        section.velocity = input_.unit_discharge->at(time) / section.depth;
+        section.velocity = input_.unit_discharge->at(time) / waves_.area(section.depth);
     } else if (input_.inflow_depth) {
-        section = inflow_by_depth(gravity_, reached(end, input_.inflow_depth->at(time), dt), end.coming);
+        section = inflow_by_depth(waves_, reached(end, input_.inflow_depth->at(time), dt), end.coming);
     } else {
         section = section_of_discharge(end, time, dt);
         const double depth = reached(end, section.depth, dt);
-        section = {depth, section.velocity * (section.depth / depth)};
+        section = {depth, section.velocity * (waves_.area(section.depth) / waves_.area(depth))};
     }
     go_over_to(end, section, dt);
 }
@@ -75,7 +75,7 @@ void EndSections::follow_upstream(EndState& end, double time, double dt) const {
 /// The depth at an end after a step of dt on the way to another one, which the start may not have: no surface
 /// falls or rises faster than its waves run, and where nothing enters a film stands.
 double EndSections::reached(const EndState& end, double depth, double dt) const {
-    const double most = dt * wave_speed(gravity_, std::max(depth, end.depth));
+    const double most = dt * wave_speed(waves_, std::max(depth, end.depth));
     return std::max(least_depth_, std::clamp(depth, end.depth - most, end.depth + most));
 }
 
@@ -84,17 +84,17 @@ double EndSections::reached(const EndState& end, double depth, double dt) const 
 /// head.)
 Section EndSections::section_of_discharge(const EndState& end, double time, double dt) const {
     const double wanted = input_.unit_discharge->at(time);
-    const double going = end.velocity + 2.0 * wave_speed(gravity_, end.depth);
-    const Section now = outflow_between(gravity_, going, end.coming);
+    const double going = end.velocity + waves_.invariant(end.depth);
+    const Section now = outflow_between(waves_, going, end.coming);
     const bool subcritical =
-        now.depth >= least_depth_ && std::abs(now.velocity) < wave_speed(gravity_, now.depth);
+        now.depth >= least_depth_ && std::abs(now.velocity) < wave_speed(waves_, now.depth);
     if (input_.inflow_relaxation_time <= 0.0 || !subcritical) {
-        return inflow_by_discharge(gravity_, wanted, end.coming);
+        return inflow_by_discharge(waves_, wanted, end.coming);
     }
     const double share = std::min(1.0, dt / input_.inflow_relaxation_time);
     const double of_the_hydrograph = wanted - input_.unit_discharge->at(time - dt);
-    const double change = share * (wanted - now.depth * now.velocity) + of_the_hydrograph;
-    return outflow_between(gravity_, going + invariant_of_discharge(gravity_, now, change), end.coming);
+    const double change = share * (wanted - waves_.area(now.depth) * now.velocity) + of_the_hydrograph;
+    return outflow_between(waves_, going + invariant_of_discharge(waves_, now, change), end.coming);
 }
 
 void EndSections::follow_downstream(EndState& end, double time, double dt) const {
@@ -102,32 +102,32 @@ void EndSections::follow_downstream(EndState& end, double time, double dt) const
         follow_duct_downstream(end, dt);
         return;
     }
-    const double c = wave_speed(gravity_, end.watched_depth);
-    const double going = end.watched_velocity + 2.0 * c;
+    const double c = wave_speed(waves_, end.watched_depth);
+    const double going = end.watched_velocity + waves_.invariant(end.watched_depth);
     const Section watched{end.watched_depth, end.watched_velocity};
-    const double q = watched.velocity * watched.depth;
+    const double q = watched.velocity * waves_.area(watched.depth);
     // Where the flow is dry, or supercritical, nothing comes up from outside, unless it is so deep there that
     // it drives a jump up the channel.
     const bool ruled =
         input_.outflow_depth &&
         (watched.velocity < c ||
-         (watched.depth > least_depth_ && input_.outflow_depth(q, time) > sequent_depth(gravity_, watched)));
+         (watched.depth > least_depth_ && input_.outflow_depth(q, time) > sequent_depth(waves_, watched)));
     if (!ruled) {
         // Nothing holds water that flows slower than its waves back: it goes over to critical flow, and none
         // comes in.
         const bool held = !input_.outflow_depth && watched.depth > least_depth_ && watched.velocity < c;
-        end.coming = held ? invariant_of_critical_flow(going) : end.watched_velocity - 2.0 * c;
+        end.coming = held ? invariant_of_critical_flow(waves_, going)
+                          : end.watched_velocity - waves_.invariant(end.watched_depth);
     }
-    Section section = outflow_between(gravity_, going, end.coming);
+    Section section = outflow_between(waves_, going, end.coming);
     if (ruled) {
         section.depth = std::max(section.depth, least_depth_);
-        end.coming +=
-            relaxation(gravity_, section, input_.outflow_depth(q, time), input_.relaxation_time, dt);
+        end.coming += relaxation(waves_, section, input_.outflow_depth(q, time), input_.relaxation_time, dt);
         if (input_.outflow_table) {
             const double of_the_tide = input_.outflow_table->at(time) - input_.outflow_table->at(time - dt);
-            end.coming += invariant_of_depth(gravity_, section, of_the_tide);
+            end.coming += invariant_of_depth(waves_, section, of_the_tide);
         }
-        section = outflow_between(gravity_, going, end.coming);
+        section = outflow_between(waves_, going, end.coming);
     }
     go_over_to(end, section, dt);
 }

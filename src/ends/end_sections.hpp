@@ -13,18 +13,24 @@ namespace riffle::inline ends {
 class EndSections {
   public:
     /// `least_depth`: below it the water at an end is a film or a drop, m.
-    EndSections(EndInput input, double gravity, double sound_speed, double least_depth)
-        : input_(std::move(input)), gravity_(gravity), sound_speed_(sound_speed), least_depth_(least_depth) {}
+    EndSections(EndInput input, LongWaves waves, double sound_speed, double least_depth)
+        : input_(std::move(input)),
+          waves_(std::move(waves)),
+          sound_speed_(sound_speed),
+          least_depth_(least_depth) {}
 
     [[nodiscard]] const EndInput& input() const { return input_; }
+    /// Waves of the cross-section of the ends.
+    [[nodiscard]] const LongWaves& waves() const { return waves_; }
     /// Whether the ends are those of a duct.
     [[nodiscard]] bool in_duct() const { return input_.duct; }
     /// Speed of the waves that reach the ends, m/s: long waves of a depth, or sound in a duct.
     [[nodiscard]] double signal_speed(double depth) const {
-        return in_duct() ? sound_speed_ : wave_speed(gravity_, depth);
+        return in_duct() ? sound_speed_ : wave_speed(waves_, depth);
     }
 
-    /// The state of an end where the start has a depth (m) and carries a discharge (m2/s).
+    /// The state of an end where the start has a depth (m) and carries a discharge (m2/s over the width of
+    /// the channel).
     [[nodiscard]] EndState start(double depth, double unit_discharge) const;
     /// The section at the inflow after a step of dt (s), from what is watched beside it.
     void follow_upstream(EndState& end, double time, double dt) const;
@@ -38,7 +44,7 @@ class EndSections {
     [[nodiscard]] Section section_of_discharge(const EndState& end, double time, double dt) const;
 
     EndInput input_;
-    double gravity_;
+    LongWaves waves_;
     double sound_speed_;
     double least_depth_;
 };

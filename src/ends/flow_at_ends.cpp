@@ -9,6 +9,7 @@
 
 #include "base/error.hpp"
 #include "case/bed_patch.hpp"
+#include "case/cross_section.hpp"
 #include "case/end_floor.hpp"
 #include "case/end_levels.hpp"
 #include "case/flow_kind.hpp"
@@ -16,6 +17,7 @@
 #include "column/twin_reaches.hpp"
 #include "column/uniform_rating.hpp"
 #include "ends/end_input.hpp"
+#include "ends/long_waves.hpp"
 #include "hydraulics/varied_reaches.hpp"
 #include "laboratory/profile_record.hpp"
 
@@ -37,7 +39,8 @@ class BedFlow {
         : case_(std::move(c)),
           has_section_(has_section_reach(case_)),
           has_twin_(!is_duct(case_) && channel_or_walls_resist(case_) && !resolves_eddies(case_) &&
-                    (has_section_ || has_column_reach(case_))) {}
+                    (has_section_ || has_column_reach(case_))),
+          waves_(waves_of(case_)) {}
 
     [[nodiscard]] bool has_channel() const { return has_twin_ && !has_section_; }
     [[nodiscard]] const SteadyChannel& channel(double q) {
@@ -47,12 +50,13 @@ class BedFlow {
     }
 
     [[nodiscard]] double velocity(double q, double depth, bool on_bed) {
-        return knows(q, depth, on_bed) ? channel(q).state(depth - case_.datum()).mean_velocity : q / depth;
+        return knows(q, depth, on_bed) ? channel(q).state(depth - case_.datum()).mean_velocity
+                                       : q / waves_.area(depth);
     }
 
     [[nodiscard]] double froude(double q, double depth, bool on_bed) {
         return knows(q, depth, on_bed) ? channel(q).froude_number(depth - case_.datum())
-                                       : q / depth / std::sqrt(case_.normal_gravity() * depth);
+                                       : q / waves_.area(depth) / waves_.speed(depth);
     }
 
     [[nodiscard]] double critical(double q, bool on_bed) {
@@ -60,7 +64,7 @@ class BedFlow {
             const double depth = critical_depth(channel(q));
             if (depth > 0.0) return depth + case_.datum();
         }
-        return critical_depth_of(case_.normal_gravity(), q);
+        return critical_depth_of(case_, q);
     }
 
     [[nodiscard]] std::optional<double> normal(double q) {
@@ -87,6 +91,7 @@ class BedFlow {
     Case case_;
     bool has_section_;
     bool has_twin_;
+    LongWaves waves_;
     std::map<double, SteadyChannel> channels_;
     std::map<double, std::optional<double>> normal_;
 };
@@ -94,8 +99,9 @@ class BedFlow {
 /// Whether bodies, patches or solids at the ends make the flow other than that over the bed.
 bool is_disturbed(const Case& c) {
     const EndFloors floors = end_floors(c);
-    return has_bodies(c) || has_solid_bed(c) || varies_beyond_beds(c) || floors.upstream > 0.0 ||
-           floors.downstream > 0.0;
+    const bool has_others = c.solids.size() > 1 || canal_of(c) == nullptr;  // than the section of a canal
+    return (has_bodies(c) && has_others) || has_solid_bed(c) || varies_beyond_beds(c) ||
+           floors.upstream > 0.0 || floors.downstream > 0.0;
 }
 
 /// The steady varied flow between the ends, where it is what the case has: one discharge over the bed alone.

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <vector>
 
 namespace riffle::inline ends {
 
@@ -18,6 +19,7 @@ void InflowStreams::advance(OpenEndsState& state, double dt, double spreading,
                             const std::function<double(int, int)>& velocity) const {
     for (int row = 0; row < state.rows; ++row) {
         for (int file = 0; file < files_; ++file) {
+            if (!lattice_.holds(row, file)) continue;
             double& place = front(state, row, file);
             place += dt * (velocity(row, file) - place * spreading);
         }
@@ -35,17 +37,26 @@ void InflowStreams::rearrange(OpenEndsState& state, double depth) const {
     // row.
     const double before = 0.5 * length(state.rows, depth);
     const double after = 0.5 * length(rows, depth);
+    std::vector<double> seen(next.front.size(), 0.0);  // of the height of each new row, in old streams
     for (int row = 0; row < rows; ++row) {
         for (int old = 0; old < state.rows; ++old) {
             const double from = std::max(row * 1.0 / rows, old * 1.0 / state.rows);
             const double to = std::min((row + 1.0) / rows, (old + 1.0) / state.rows);
-            if (to > from) {
-                for (int file = 0; file < files_; ++file) {
-                    front(next, row, file) += (to - from) * rows * (front(state, old, file) - before);
-                }
+            if (to <= from) continue;
+            for (int file = 0; file < files_; ++file) {
+                if (!lattice_.holds(old, file)) continue;
+                const double share = (to - from) * rows;
+                front(next, row, file) += share * (front(state, old, file) - before);
+                seen[index(row, file)] += share;
             }
         }
-        for (int file = 0; file < files_; ++file) front(next, row, file) += after;
+        for (int file = 0; file < files_; ++file) {
+            double& place = front(next, row, file);
+            // Over a bank a stream may begin where there was none: from the channel on.
+            if (!lattice_.is_rectangle())
+                place = seen[index(row, file)] > 0.0 ? place / seen[index(row, file)] : 0.0;
+            place += after;
+        }
     }
     state = next;
 }
@@ -55,6 +66,7 @@ void InflowStreams::fill(OpenEndsState& state, double depth,
     const double step = length(state.rows, depth);
     for (int row = 0; row < state.rows; ++row) {
         for (int file = 0; file < files_; ++file) {
+            if (!lattice_.holds(row, file)) continue;
             double& last = front(state, row, file);
             while (last < upstream_edge_ - step) last += step;
             while (last > upstream_edge_) {

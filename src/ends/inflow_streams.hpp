@@ -1,7 +1,10 @@
 #pragma once
 
+#include <cstddef>
 #include <functional>
+#include <utility>
 
+#include "ends/end_lattice.hpp"
 #include "ends/open_ends_state.hpp"
 
 namespace riffle::inline ends {
@@ -9,14 +12,20 @@ namespace riffle::inline ends {
 /// The streams in which water enters a channel: rows over each other, in three dimensions files beside each
 /// other, each a line of particles that moves at one velocity. A row is as high as the depth over their
 /// number, and a particle as long in it as its volume demands, so that the area that the streams bring in is
-/// the integral of their velocities, to rounding: the discharge is exact, whatever the particles.
+/// the integral of their velocities, to rounding: the discharge is exact, whatever the particles. In a
+/// cross-section of its own only those streams run that its lattice holds.
 class InflowStreams {
   public:
     /// `area`: of a particle in the vertical plane of its file, m2; `row_height`: that of the lattice, m;
     /// `upstream_edge`: where the streams end, m.
-    InflowStreams(int files, double area, double row_height, double upstream_edge)
-        : files_(files), area_(area), row_height_(row_height), upstream_edge_(upstream_edge) {}
+    InflowStreams(int files, double area, double row_height, double upstream_edge, EndLattice lattice = {})
+        : files_(files),
+          area_(area),
+          row_height_(row_height),
+          upstream_edge_(upstream_edge),
+          lattice_(std::move(lattice)) {}
 
+    [[nodiscard]] const EndLattice& lattice() const { return lattice_; }
     /// Rows for a depth.
     [[nodiscard]] int rows_for(double depth) const;
     /// Length of a particle in its stream, m.
@@ -38,13 +47,17 @@ class InflowStreams {
               const std::function<void(int row, int file, double x)>& add) const;
 
   private:
+    [[nodiscard]] std::size_t index(int row, int file) const {
+        return static_cast<std::size_t>(row) * static_cast<std::size_t>(files_) +
+               static_cast<std::size_t>(file);
+    }
     [[nodiscard]] double& front(OpenEndsState& state, int row, int file) const {
-        return state.front[static_cast<std::size_t>(row) * static_cast<std::size_t>(files_) +
-                           static_cast<std::size_t>(file)];
+        return state.front[index(row, file)];
     }
 
     int files_;
     double area_, row_height_, upstream_edge_;
+    EndLattice lattice_;
 };
 
 }  // namespace riffle::inline ends

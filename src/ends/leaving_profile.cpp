@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <span>
 
 #include "base/interpolation.hpp"
 
@@ -24,25 +25,45 @@ void LeavingProfile::finish(OpenEndsState& state, double speed, double dt) {
 }
 
 void LeavingProfile::go_on(const OpenEndsState& state) {
-    double mean = 0.0;
-    for (const double velocity : state.leaving) mean += velocity / static_cast<double>(state.leaving.size());
+    const double mean = mean_over(state, state.downstream.depth);
     const double wanted = state.downstream.velocity;
     const bool turns = mean * wanted <= 0.0 || std::abs(wanted) > 2.0 * std::abs(mean);
     factor_ = turns ? 1.0 : wanted / mean;
     shift_ = turns ? wanted - mean : 0.0;
 }
 
-double LeavingProfile::at(const OpenEndsState& state, double place) const {
+double LeavingProfile::mean_over(const OpenEndsState& state, double depth) const {
+    double mean = 0.0;
+    if (floors_.empty()) {
+        for (const double velocity : state.leaving) {
+            mean += velocity / static_cast<double>(state.leaving.size());
+        }
+        return mean;
+    }
+    double area = 0.0;
+    for (std::size_t file = 0; file < files(); ++file) {
+        const double water = std::max(0.0, depth - floors_[file]) / static_cast<double>(bins(state));
+        for (std::size_t bin = 0; bin < bins(state); ++bin) {
+            mean += water * state.leaving[first_of(state, file) + bin];
+            area += water;
+        }
+    }
+    return area > 0.0 ? mean / area : 0.0;
+}
+
+double LeavingProfile::at(const OpenEndsState& state, double height, double depth, std::size_t file) const {
     // Straight lines between the middles of the bins.
-    const std::size_t bins = state.leaving.size();
-    const double profile = place_among(place * static_cast<double>(bins) - 0.5, bins).in(state.leaving);
-    const double velocity = factor_ * profile + shift_;
+    const std::size_t count = bins(state);
+    const std::span<const double> profile(&state.leaving[first_of(state, file)], count);
+    const double place = place_in_file(height, depth, file);
+    const double velocity =
+        factor_ * place_among(place * static_cast<double>(count) - 0.5, count).in(profile) + shift_;
     return state.downstream.velocity >= 0.0 ? std::max(0.0, velocity) : velocity;
 }
 
-std::size_t LeavingProfile::bin_of(const OpenEndsState& state, double place) {
-    const auto bins = static_cast<double>(state.leaving.size());
-    return static_cast<std::size_t>(std::clamp(place * bins, 0.0, bins - 0.5));
+std::size_t LeavingProfile::bin_of(const OpenEndsState& state, double place) const {
+    const auto count = static_cast<double>(bins(state));
+    return static_cast<std::size_t>(std::clamp(place * count, 0.0, count - 0.5));
 }
 
 }  // namespace riffle::inline ends

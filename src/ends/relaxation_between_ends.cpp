@@ -5,7 +5,7 @@
 #include "case/end_floor.hpp"
 #include "case/flow_kind.hpp"
 #include "ends/end_input.hpp"
-#include "ends/section_state.hpp"
+#include "ends/long_waves.hpp"
 
 namespace riffle::inline ends {
 
@@ -29,9 +29,10 @@ double mean_depth_of_start(const Case& c, const EndInput& input) {
 double relaxation_time_between_ends(const Case& c) {
     const EndInput input = read_end_levels(c);
     const double depth = mean_depth_of_start(c, input);
+    const LongWaves waves = waves_of(c);
     const double discharge = start_unit_discharge(c, input);
-    double time = c.channel.length / wave_speed(c.normal_gravity(), c.total_depth());
-    if (discharge > 0.0) time = std::max(time, depth * c.channel.length / discharge);
+    double time = c.channel.length / waves.speed(c.total_depth());
+    if (discharge > 0.0) time = std::max(time, waves.area(depth) * c.channel.length / discharge);
     // What falls over an edge or shoots off is ruled by nothing there.
     return input.outflow_depth ? std::max(time, input.relaxation_time) : time;
 }

@@ -3,24 +3,30 @@
 #include <algorithm>
 #include <cmath>
 
-#include "case/end_levels.hpp"
+#include "statistics/root.hpp"
 
 namespace riffle::inline ends {
 
-double wave_speed(double gravity, double depth) { return std::sqrt(gravity * std::max(0.0, depth)); }
+double wave_speed(const LongWaves& waves, double depth) { return waves.speed(depth); }
 
-double invariant_of_critical_flow(double going) { return going > 0.0 ? -going / 3.0 : -going; }
-
-double sequent_depth(double gravity, const Section& before) {
-    const double c = wave_speed(gravity, before.depth);
-    const double froude = c > 0.0 ? before.velocity / c : 0.0;
-    return 0.5 * before.depth * (std::sqrt(1.0 + 8.0 * froude * froude) - 1.0);
+double invariant_of_critical_flow(const LongWaves& waves, double going) {
+    if (going <= 0.0) return -going;
+    if (waves.in_rectangle()) return -going / 3.0;
+    const auto surplus = [&](double depth) { return waves.speed(depth) + waves.invariant(depth) - going; };
+    const double depth = root_between(surplus, 0.0, waves.depth_of_invariant(going));
+    return waves.speed(depth) - waves.invariant(depth);
 }
 
-Section inflow_by_discharge(double gravity, double unit_discharge, double coming) {
+double sequent_depth(const LongWaves& waves, const Section& before) {
+    return waves.sequent_depth(before.depth, before.velocity);
+}
+
+namespace {
+
+/// As inflow_by_discharge(), in a rectangle.
+double depth_in_rectangle(double gravity, double critical, double unit_discharge, double coming) {
     // g q/c^2 - 2 c = coming has one root: the left side falls and is convex, so that Newton's steps rise to
     // it from the second one on.
-    const double critical = wave_speed(gravity, critical_depth_of(gravity, unit_discharge));
     double c = std::max({critical, -coming, 1e-6});
     constexpr int most_iterations = 50;
     for (int i = 0; i < most_iterations; ++i) {
@@ -32,29 +38,51 @@ Section inflow_by_discharge(double gravity, double unit_discharge, double coming
         if (found) break;
     }
     c = std::max(c, critical);
-    const double depth = c * c / gravity;
-    return {depth, depth > 0.0 ? unit_discharge / depth : 0.0};
+    return c * c / gravity;
 }
 
-Section inflow_by_depth(double gravity, double depth, double coming) {
-    return {depth, coming + 2.0 * wave_speed(gravity, depth)};
+/// The same in any section.
+double depth_in_section(const LongWaves& waves, double unit_discharge, double coming) {
+    const auto excess = [&](double depth) {
+        return unit_discharge / waves.area(depth) - waves.invariant(depth) - coming;
+    };
+    if (!(unit_discharge > 0.0)) return waves.depth_of_invariant(-coming);
+    const double critical = waves.critical_depth(unit_discharge);
+    if (excess(critical) <= 0.0) return critical;
+    double high = 2.0 * critical;
+    while (excess(high) > 0.0) high *= 2.0;
+    return root_between(excess, critical, high);
 }
 
-double invariant_of_discharge(double gravity, const Section& now, double change) {
-    return change / (0.5 * now.depth * (1.0 + now.velocity / wave_speed(gravity, now.depth)));
+}  // namespace
+
+Section inflow_by_discharge(const LongWaves& waves, double unit_discharge, double coming) {
+    const double depth =
+        waves.in_rectangle()
+            ? depth_in_rectangle(waves.gravity(), wave_speed(waves, waves.critical_depth(unit_discharge)),
+                                 unit_discharge, coming)
+            : depth_in_section(waves, unit_discharge, coming);
+    return {depth, depth > 0.0 ? unit_discharge / waves.area(depth) : 0.0};
 }
 
-double invariant_of_depth(double gravity, const Section& now, double change) {
-    return -2.0 * std::sqrt(gravity / now.depth) * change;
+Section inflow_by_depth(const LongWaves& waves, double depth, double coming) {
+    return {depth, coming + waves.invariant(depth)};
 }
 
-Section outflow_between(double gravity, double going, double coming) {
-    const double c = std::max(0.0, 0.25 * (going - coming));
-    return {c * c / gravity, 0.5 * (going + coming)};
+double invariant_of_discharge(const LongWaves& waves, const Section& now, double change) {
+    return change / (0.5 * waves.area(now.depth) * (1.0 + now.velocity / wave_speed(waves, now.depth)));
 }
 
-double relaxation(double gravity, const Section& now, double depth, double time, double dt) {
-    return 2.0 * std::sqrt(gravity / now.depth) * (now.depth - depth) * dt / time;
+double invariant_of_depth(const LongWaves& waves, const Section& now, double change) {
+    return -2.0 * waves.invariant_by_depth(now.depth) * change;
+}
+
+Section outflow_between(const LongWaves& waves, double going, double coming) {
+    return {waves.depth_of_invariant(0.5 * (going - coming)), 0.5 * (going + coming)};
+}
+
+double relaxation(const LongWaves& waves, const Section& now, double depth, double time, double dt) {
+    return 2.0 * waves.invariant_by_depth(now.depth) * (now.depth - depth) * dt / time;
 }
 
 }  // namespace riffle::inline ends

@@ -15,6 +15,9 @@ namespace {
 
 double square(double x) { return x * x; }
 
+/// What stands for none in laws that divide by it, m2/s.
+constexpr double least_viscosity = 1e-12;
+
 /// Where a rising function of the depth is zero, sought from the critical depth of even flow; none where it
 /// is positive down to `least`.
 template <class Function>
@@ -41,14 +44,20 @@ double SteadyChannel::sine() const { return std::sin(std::atan(slope)); }
 
 double SteadyChannel::cosine() const { return std::cos(std::atan(slope)); }
 
+double SteadyChannel::area(double depth) const {
+    const double total = total_depth(depth);
+    return section ? section->area(total) : total;
+}
+
 double SteadyChannel::momentum_coefficient(double depth) const {
     return state(std::max(depth, least_depth)).momentum_coefficient;
 }
 
 double SteadyChannel::momentum(double depth) const {
     const double total = total_depth(depth);
-    return momentum_coefficient(depth) * square(unit_discharge) / total +
-           0.5 * normal_gravity() * square(total);
+    const double force = section ? normal_gravity() * section->pressure_integral(total)
+                                 : 0.5 * normal_gravity() * square(total);
+    return momentum_coefficient(depth) * square(unit_discharge) / area(depth) + force;
 }
 
 double SteadyChannel::momentum_gradient(double depth) const {
@@ -57,17 +66,18 @@ double SteadyChannel::momentum_gradient(double depth) const {
     const double beta_gradient =
         (momentum_coefficient(depth * (1.0 + step)) - momentum_coefficient(depth * (1.0 - step))) /
         (2.0 * step * depth);
-    const double total = total_depth(depth);
-    return square(unit_discharge) / total * (beta_gradient - momentum_coefficient(depth) / total) +
-           normal_gravity() * total;
+    const double all = area(depth);
+    const double width = section ? section->top_width(total_depth(depth)) : 1.0;
+    return square(unit_discharge) / all * (beta_gradient - momentum_coefficient(depth) * width / all) +
+           normal_gravity() * all;
 }
 
 double SteadyChannel::froude_number(double depth) const {
-    return std::sqrt(std::max(0.0, 1.0 - momentum_gradient(depth) / (normal_gravity() * total_depth(depth))));
+    return std::sqrt(std::max(0.0, 1.0 - momentum_gradient(depth) / (normal_gravity() * area(depth))));
 }
 
 double SteadyChannel::energy_head(double depth) const {
-    const double velocity = unit_discharge / total_depth(depth);
+    const double velocity = unit_discharge / area(depth);
     return depth * cosine() + state(depth).energy_coefficient * square(velocity) / (2.0 * gravity);
 }
 
@@ -75,7 +85,8 @@ double SteadyChannel::surplus_slope(double depth) const { return sine() - state(
 
 double SteadyChannel::manning(double depth) const {
     const SectionState now = state(depth);
-    return manning_coefficient(now.friction_slope, depth, now.mean_velocity);
+    return manning_coefficient(now.friction_slope, section ? section->hydraulic_radius(depth) : depth,
+                               now.mean_velocity);
 }
 
 double critical_depth(const SteadyChannel& channel) {
@@ -116,11 +127,17 @@ std::optional<double> sequent_depth(const SteadyChannel& channel, double depth, 
     return root_between(surplus, low, critical_depth);
 }
 
-SteadyChannel manning_channel(double slope, double gravity, double unit_discharge, double n) {
-    SteadyChannel channel{.slope = slope, .gravity = gravity, .unit_discharge = unit_discharge, .state = {}};
+SteadyChannel manning_channel(double slope, double gravity, double unit_discharge, double n,
+                              std::shared_ptr<const SectionShape> section) {
+    SteadyChannel channel{.slope = slope,
+                          .gravity = gravity,
+                          .unit_discharge = unit_discharge,
+                          .state = {},
+                          .section = section};
     channel.state = [=](double depth) {
-        const double velocity = unit_discharge / depth;
-        return SectionState{.friction_slope = square(n * velocity) / std::pow(depth, 4.0 / 3.0),
+        const double velocity = unit_discharge / (section ? section->area(depth) : depth);
+        const double radius = section ? section->hydraulic_radius(depth) : depth;
+        return SectionState{.friction_slope = square(n * velocity) / std::pow(radius, 4.0 / 3.0),
                             .mean_velocity = velocity};
     };
     return channel;
@@ -143,8 +160,39 @@ SteadyChannel rough_channel(double slope, double gravity, double unit_discharge,
     return channel;
 }
 
-double manning_unit_discharge(double slope, double depth, double n) {
-    return std::pow(depth, 5.0 / 3.0) * std::sqrt(std::sin(std::atan(slope))) / n;
+SteadyChannel colebrook_channel(double slope, double gravity, double unit_discharge,
+                                double equivalent_roughness, double kinematic_viscosity,
+                                std::shared_ptr<const SectionShape> section) {
+    const auto surplus_radius = [&](double depth) {
+        return section->hydraulic_radius(depth) - equivalent_roughness;
+    };
+    double deep = 2.0 * equivalent_roughness;
+    while (surplus_radius(deep) < 0.0) deep *= 2.0;
+    const double shallow = 1e-6 * deep;
+    SteadyChannel channel{
+        .slope = slope,
+        .gravity = gravity,
+        .unit_discharge = unit_discharge,
+        .least_depth = equivalent_roughness > 0.0 ? root_between(surplus_radius, shallow, deep) : 0.0,
+        .state = {},
+        .section = section};
+    channel.state = [=](double depth) {
+        const double velocity = unit_discharge / section->area(depth);
+        const double radius = section->hydraulic_radius(depth);
+        const double reynolds =
+            reynolds_number(velocity, 4.0 * radius, std::max(kinematic_viscosity, least_viscosity));
+        const double f = colebrook_white_friction_factor(equivalent_roughness, radius, reynolds, full_pipe);
+        return SectionState{.friction_slope = f * square(velocity) / (8.0 * gravity * radius),
+                            .mean_velocity = velocity};
+    };
+    return channel;
+}
+
+double manning_unit_discharge(double slope, double depth, double n, const SectionShape* section) {
+    const double carried = section != nullptr
+                               ? section->area(depth) * std::pow(section->hydraulic_radius(depth), 2.0 / 3.0)
+                               : std::pow(depth, 5.0 / 3.0);
+    return carried * std::sqrt(std::sin(std::atan(slope))) / n;
 }
 
 double rough_unit_discharge(double slope, double gravity, double depth, double equivalent_roughness) {

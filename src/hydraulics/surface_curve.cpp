@@ -90,7 +90,7 @@ void SurfaceCurve::check_depth(double depth) const {
 double SurfaceCurve::distance_between(double from, double to) const {
     const auto slowness = [this](double h) {
         return std::abs(channel_.momentum_gradient(h) /
-                        (channel_.gravity * channel_.total_depth(h) * channel_.surplus_slope(h)));
+                        (channel_.gravity * channel_.area(h) * channel_.surplus_slope(h)));
     };
     constexpr unsigned points = 15;
     return boost::math::quadrature::gauss<double, points>::integrate(slowness, std::min(from, to),

@@ -5,6 +5,7 @@
 
 #include "case/case.hpp"
 #include "case/end_floor.hpp"
+#include "ends/end_lattice.hpp"
 #include "record/field.hpp"
 #include "solver/simulation.hpp"
 
@@ -42,6 +43,7 @@ class TimeSeries {
 
     Case case_;
     EndFloors end_floors_;
+    LongWaves end_waves_;  ///< of the section of open ends
     std::vector<SeriesColumn> columns_;
 };
 

@@ -7,6 +7,7 @@
 #include <numbers>
 
 #include "base/error.hpp"
+#include "case/cross_section.hpp"
 #include "case/end_floor.hpp"
 #include "case/flow_kind.hpp"
 #include "case/outline.hpp"
@@ -117,7 +118,9 @@ class OpenStart {
         : c_(c),
           input_(read_end_input(c)),
           unit_discharge_(start_unit_discharge(c, input_)),
-          depth(start_depths(c, input_)) {}
+          depth(start_depths(c, input_)) {
+        if (const Solid* const solid = section_of(c)) section_ = cross_section(c, *solid);
+    }
 
     /// Pressure over the density that a duct starts with.
     [[nodiscard]] double pressure() const { return input_.outflow_pressure; }
@@ -127,13 +130,14 @@ class OpenStart {
         const double floor = floor_at(c_, within_ends(x, c_.channel.length));
         const double water = std::max(depth(x) - floor, c_.numerics.spacing);
         const double z = height - floor;
-        const double mean = c_.start.velocity.value_or(unit_discharge_ / water);
+        const double area = section_ ? mean_depth_over(c_, *section_, water) : water;
+        const double mean = c_.start.velocity.value_or(unit_discharge_ / area);
         switch (c_.start.kind) {
             case StartKind::uniform:
                 return mean;
             case StartKind::power_law: {
                 const double m = c_.start.exponent;
-                const double top = c_.start.velocity.value_or(unit_discharge_ / water * (m + 1.0) / m);
+                const double top = c_.start.velocity.value_or(unit_discharge_ / area * (m + 1.0) / m);
                 return top * std::pow(std::max(0.0, z / water), 1.0 / m);
             }
             case StartKind::column:
@@ -146,13 +150,14 @@ class OpenStart {
             case StartKind::backwater:
                 break;
         }
-        return unit_discharge_ / water * input_.entering->mean_at(y, z / water);
+        return unit_discharge_ / area * input_.entering->mean_at(y, z / water);
     }
 
   private:
     const Case& c_;
     EndInput input_;
     double unit_discharge_;
+    std::optional<CrossSection> section_;  ///< of a channel that is no rectangle
 
   public:
     std::function<double(double x)> depth;  ///< of all the water, m

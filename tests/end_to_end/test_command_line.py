@@ -225,9 +225,25 @@ class CommandLine(CommandLineTest):
         for depth in ("80mm", "0.08", "80m"):
             self.assertNotIn("meant", self.succeed("backwater", CASE, "--downstream", depth).stderr)
 
-    def test_backwater_by_a_given_friction_is_that_of_a_wide_rectangle_alone(self):
-        for name in ("canal", "pipe"):
-            self.fail_with(2, "backwater", SOURCE / f"cases/plane-beds/{name}.toml", "--manning", "0.013", says=["wide rectangle", "riffle check"])
+    def test_backwater_by_mannings_n_is_that_of_the_section_of_a_canal(self):
+        # Uniform flow of the trapezoid: A = 0.0675 m2, P = 0.3 + 2 sqrt(2) 0.15 m, Q = A R^(2/3) S^(1/2)/n.
+        radius = 0.0675 / (0.3 + 2 * 2**0.5 * 0.15)
+        discharge = 0.0675 * radius ** (2 / 3) * (0.001 / (1 + 1e-6) ** 0.5) ** 0.5 / 0.013
+        canal = SOURCE / "cases/plane-beds/canal.toml"
+        found = json.loads(self.succeed("backwater", canal, "--manning", "0.013", "--downstream", "200mm", "--json", "-").stdout)
+        self.assertAlmostEqual(found["discharge"] / discharge, 1, delta=1e-3)
+        self.assertAlmostEqual(found["normal_depth"] / 0.15, 1, delta=1e-3)
+        self.assertEqual(found["profiles"][0]["name"], "M1")
+        stations = found["stations"]
+        # Above the banks, at 170 mm, the sides of the channel are upright.
+        self.assertAlmostEqual(stations["area"][-1], 0.3 * 0.17 + 0.17**2 + 0.03 * 0.64, delta=1e-5)
+        self.assertAlmostEqual(stations["top_width"][-1], 0.64, delta=1e-6)
+        self.assertAlmostEqual(stations["velocity"][-1] * stations["area"][-1] / found["discharge"], 1, delta=1e-4)
+        level = json.loads(self.succeed("backwater", canal, "--slope", "0", "--discharge", "30 l/s", "--downstream", "200mm", "--length", "100m", "--json", "-").stdout)
+        self.assertIsNone(level["normal_depth"])
+        self.assertGreater(level["stations"]["depth"][0], 0.2)
+
+    def test_backwater_by_a_given_friction_leaves_stems_out(self):
         said = self.succeed("backwater", SOURCE / "cases/vegetation/submerged.toml", "--manning", "0.03").stdout
         self.assertIn("the stems of the case take no part", " ".join(said.split()))
 

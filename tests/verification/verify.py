@@ -27,6 +27,7 @@ import page  # noqa: E402
 import runs  # noqa: E402
 import bed_checks  # noqa: E402
 import body_checks  # noqa: E402
+import canal_checks  # noqa: E402
 import flood_checks  # noqa: E402
 import inflow_checks  # noqa: E402
 import jump_checks  # noqa: E402
@@ -46,7 +47,7 @@ import viscous_checks  # noqa: E402
 from flow import Flow  # noqa: E402
 from table import Table  # noqa: E402
 
-CHECKS = viscous_checks.CHECKS | surface_checks.CHECKS | violent_checks.CHECKS | scheme_checks.CHECKS | turbulence_checks.CHECKS | resolved_bed_checks.CHECKS | open_end_checks.CHECKS | inflow_checks.CHECKS | overflow_checks.CHECKS | rapid_checks.CHECKS | jump_checks.CHECKS | vegetation_checks.CHECKS | body_checks.CHECKS | porous_checks.CHECKS | stream_checks.CHECKS | solid_checks.CHECKS | bed_checks.CHECKS | flood_checks.CHECKS
+CHECKS = viscous_checks.CHECKS | surface_checks.CHECKS | violent_checks.CHECKS | scheme_checks.CHECKS | turbulence_checks.CHECKS | resolved_bed_checks.CHECKS | open_end_checks.CHECKS | inflow_checks.CHECKS | canal_checks.CHECKS | overflow_checks.CHECKS | rapid_checks.CHECKS | jump_checks.CHECKS | vegetation_checks.CHECKS | body_checks.CHECKS | porous_checks.CHECKS | stream_checks.CHECKS | solid_checks.CHECKS | bed_checks.CHECKS | flood_checks.CHECKS
 QUICK = ["poiseuille", "couette", "taylor_green_re100", "tank", "drop", "emergent_stems", "submerged_formula", "brinkman", "inclined_plate"]
 
 

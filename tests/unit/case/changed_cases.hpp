@@ -80,6 +80,33 @@ inline Case gravel() {
     return c;
 }
 
+/// A trapezoidal canal with open ends, whose bed and banks have the friction of the log law.
+inline Case open_canal() {
+    Case c = gravel();
+    c.channel.dimensions = 3;
+    c.channel.sides = Sides::walls;
+    c.channel.width = 0.2;
+    c.channel.ends = Ends::open;
+    c.channel.length = 0.3;
+    c.bed = {};
+    c.bed.kind = BedKind::slip;
+    c.bed.roughness_height = 0.0;
+    c.bed.datum_below_crest = 0.0;
+    c.side_walls.drag_form = SideDragForm::none;
+    c.inflow.unit_discharge = 0.0174;
+    c.run.until = RunUntil::time;
+    c.run.time = 5.0;
+    Solid canal;
+    canal.name = "canal";
+    canal.shape = SolidShape::trapezoid;
+    canal.bottom_width = 0.1;
+    canal.bank_slope = 1.0;
+    canal.surface = SolidSurface::log_law;
+    canal.equivalent_roughness = 0.001;
+    c.solids.push_back(canal);
+    return c;
+}
+
 /// By Manning's n.
 inline Case earth() {
     Case c = gravel();

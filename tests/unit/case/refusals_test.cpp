@@ -26,6 +26,7 @@ using test::earth;
 using test::flume;
 using test::glass;
 using test::gravel;
+using test::open_canal;
 using test::open_channel;
 using test::open_channel_in_file;
 using test::open_channel_over_step;
@@ -337,6 +338,11 @@ std::vector<Wrong> wrong_shapes() {
         {with_shape(bed), "solid[0].blend = 60 mm"},
         {with_shape(section),
          "channel.ends = open; inflow.unit_discharge = 0.01; inflow.profile = uniform; outflow.kind = free"},
+        {open_canal(), "outflow.kind = weir; outflow.weir_height = 30 mm"},
+        {open_canal(), "inflow.profile = column"},
+        {open_canal(), "solid[0].surface = slip"},
+        {open_canal(), "channel.top = wall; outflow.kind = pressure"},
+        {open_canal(), "solid[0].shape = section; solid[0].y = [0, 0.2]; solid[0].levels = [0.01, 0.01]"},
         {with_shape(section), "solid[0].levels = 0"},
         {with_shape(section), "solid[0].y = [0, 0.1, 0.05]; solid[0].levels = [0.01, 0.01, 0.01]"},
         {with_shape(section), "solid[0].y = [0, 0.08]"},

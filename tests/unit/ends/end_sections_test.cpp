@@ -172,7 +172,7 @@ OpenEndsState state_with(double depth, double velocity, double section_velocity)
 
 double mean_of(const LeavingProfile& profile, const OpenEndsState& state) {
     double mean = 0.0;
-    for (int i = 0; i < 1000; ++i) mean += profile.at(state, (i + 0.5) / 1000.0) / 1000.0;
+    for (int i = 0; i < 1000; ++i) mean += profile.at(state, (i + 0.5) / 1000.0, 1.0) / 1000.0;
     return mean;
 }
 
@@ -186,7 +186,7 @@ TEST(LeavingProfile, GoesOverToTheWaterThatComes) {
         profile.finish(state, wave_speed(gravity, 0.05), 0.001);
     }
     EXPECT_NEAR(mean_of(profile, state), 0.6, 1e-3);
-    EXPECT_NEAR(profile.at(state, 0.95) / profile.at(state, 0.05), 19.0, 0.01);
+    EXPECT_NEAR(profile.at(state, 0.95, 1.0) / profile.at(state, 0.05, 1.0), 19.0, 0.01);
 }
 
 TEST(LeavingProfile, NoneComesBackWhileTheFlowLeaves) {
@@ -195,11 +195,11 @@ TEST(LeavingProfile, NoneComesBackWhileTheFlowLeaves) {
     LeavingProfile profile(least_depth);
     profile.clear(state);
     profile.finish(state, wave_speed(gravity, 0.05), 0.001);
-    EXPECT_EQ(profile.at(state, 0.0), 0.0);
+    EXPECT_EQ(profile.at(state, 0.0, 1.0), 0.0);
     state.downstream.velocity = -0.2;  // the flow has turned
     profile.clear(state);
     profile.finish(state, wave_speed(gravity, 0.05), 0.001);
-    EXPECT_LT(profile.at(state, 0.0), 0.0);
+    EXPECT_LT(profile.at(state, 0.0, 1.0), 0.0);
     EXPECT_NEAR(mean_of(profile, state), -0.2, 0.01);
 }
 
@@ -214,9 +214,9 @@ TEST(LeavingProfile, GoesOnFromAState) {
         profile.finish(state, wave_speed(gravity, 0.05), 0.001);
         LeavingProfile restored(least_depth);
         restored.go_on(state);
-        EXPECT_NE(profile.at(state, 0.5), LeavingProfile(least_depth).at(state, 0.5));
+        EXPECT_NE(profile.at(state, 0.5, 1.0), LeavingProfile(least_depth).at(state, 0.5, 1.0));
         for (const double place : {0.0, 0.03, 0.5, 1.0}) {
-            EXPECT_EQ(restored.at(state, place), profile.at(state, place));
+            EXPECT_EQ(restored.at(state, place, 1.0), profile.at(state, place, 1.0));
         }
     }
 }
@@ -227,7 +227,7 @@ TEST(LeavingProfile, KnowsNoProfileOfADryBed) {
     LeavingProfile profile(least_depth);
     profile.clear(state);
     profile.finish(state, wave_speed(gravity, 0.05), 0.001);
-    EXPECT_EQ(profile.at(state, 0.5), 0.0);
+    EXPECT_EQ(profile.at(state, 0.5, 1.0), 0.0);
 }
 
 }  // namespace

@@ -5,6 +5,10 @@
 #include <cmath>
 #include <vector>
 
+#include "case/case.hpp"
+#include "ends/end_lattice.hpp"
+#include "particles/lattice.hpp"
+
 namespace riffle {
 namespace {
 
@@ -138,6 +142,83 @@ TEST(InflowStreams, AStateIsTheSameAfterItsNumbers) {
     cut = inflow.state.numbers();
     cut.pop_back();
     EXPECT_THROW((void)OpenEndsState::from(cut), std::invalid_argument);
+}
+
+/// A canal: bottom 20 mm, banks 1:1, in a channel of 80 mm.
+const char* const canal =
+    "[channel]\ndimensions = 3\nsides = \"walls\"\nends = \"open\"\nslope = 0.001\ndepth = 0.02\nwidth = 0.08\n"
+    "length = 0.2\n[inflow]\ndischarge = 2e-4\n[bed]\nkind = \"slip\"\n[side_walls]\ndrag_form = \"none\"\n"
+    "[turbulence]\nclosure = \"nezu-rodi\"\n[numerics]\nspacing = 0.002\n[run]\nuntil = 1\n[[solid]]\nname = \"canal\"\n"
+    "shape = \"trapezoid\"\nbottom_width = 0.02\nbank_slope = 1\nsurface = \"log-law\"\nequivalent_roughness = 0.0005\n";
+
+TEST(EndLattice, HoldsTheWaterOfItsSection) {
+    const Case c = parse_case(canal, "canal");
+    const Lattice lattice = lattice_of(c);
+    const EndLattice places(c, lattice);
+    ASSERT_FALSE(places.is_rectangle());
+    const SectionShape& shape = *places.shape();
+    for (const double depth : {0.01, 0.02, 0.028}) {
+        EXPECT_NEAR(shape.area(depth) * 0.08, (0.02 + depth) * depth, 0.02 * (0.02 + depth) * depth) << depth;
+    }
+    EXPECT_FALSE(places.holds(0, 0));
+    EXPECT_TRUE(places.holds(0, lattice.files / 2));
+    EXPECT_TRUE(places.holds(1000, 0));
+    EXPECT_EQ(places.floor_of(lattice.files / 2), 0.0);
+    EXPECT_NEAR(places.floor_of(0), 0.03, 0.003);
+}
+
+// What enters a canal is the integral of its streams too, when the water rises over its banks as well.
+TEST(InflowStreams, TheDischargeOfACanalIsExact) {
+    const Case c = parse_case(canal, "canal");
+    const Lattice lattice = lattice_of(c);
+    const InflowStreams streams(lattice.files, lattice.dx * lattice.dz, lattice.dz, edge,
+                                EndLattice(c, lattice));
+    OpenEndsState state;
+    streams.begin(state, streams.rows_for(0.02), 0.5 * lattice.dx);
+    double made = 0.0;
+    const auto fill = [&](double depth) {
+        streams.rearrange(state, depth);
+        streams.fill(state, depth, [&](int row, int file, double) {
+            EXPECT_TRUE(streams.lattice().holds(row, file));
+            made += lattice.dx * lattice.dz;
+        });
+    };
+    const auto waiting = [&](double depth) {
+        double area = 0.0;
+        for (int row = 0; row < state.rows; ++row) {
+            for (int file = 0; file < lattice.files; ++file) {
+                if (!streams.lattice().holds(row, file)) continue;
+                const double front =
+                    state.front[static_cast<std::size_t>(row) * static_cast<std::size_t>(lattice.files) +
+                                static_cast<std::size_t>(file)];
+                area += (front - 0.5 * streams.length(state.rows, depth) - edge) * depth / state.rows;
+            }
+        }
+        return area;
+    };
+    const double depth = 0.02;
+    fill(depth);
+    made = 0.0;
+    const double before = waiting(depth);
+    double entered = 0.0;
+    const double dt = 1e-3;
+    for (int step = 0; step < 5000; ++step) {
+        const auto velocity = [](int row, int file) { return 0.02 * (row + 1) + 0.001 * file; };
+        for (int row = 0; row < state.rows; ++row) {
+            for (int file = 0; file < lattice.files; ++file) {
+                if (streams.lattice().holds(row, file))
+                    entered += dt * velocity(row, file) * depth / state.rows;
+            }
+        }
+        streams.advance(state, dt, 0.0, velocity);
+        if (step % 7 == 0) fill(depth);
+    }
+    EXPECT_NEAR((made + waiting(depth) - before) / entered, 1.0, 1e-9);
+    // The water rises: streams begin where there was bank.
+    const int rows = state.rows;
+    fill(0.026);
+    EXPECT_GT(state.rows, rows);
+    for (const double front : state.front) EXPECT_TRUE(std::isfinite(front));
 }
 
 }  // namespace

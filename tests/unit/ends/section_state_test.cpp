@@ -4,6 +4,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <memory>
+#include <vector>
 
 #include "case/end_levels.hpp"
 
@@ -29,6 +31,44 @@ TEST(SectionState, UniformFlowStaysAsItIs) {
             EXPECT_NEAR(inflow_by_depth(gravity, depth, coming(reach)).velocity / reach.velocity, 1.0, 1e-12);
         }
     }
+}
+
+/// A trapezoid: bottom 0.3 m, banks 1:1 in a channel of 0.9 m.
+LongWaves trapezoid() {
+    return {gravity, std::make_shared<const SectionShape>(std::vector<double>{0.0, 0.3},
+                                                          std::vector<double>{1.0 / 3.0, 1.0},
+                                                          std::vector<double>{1.0, 2.0})};
+}
+
+TEST(SectionState, AndSoInACanal) {
+    const LongWaves waves = trapezoid();
+    for (const double froude : {0.05, 0.3, 0.6, 0.95}) {
+        for (const double depth : {0.01, 0.15, 0.29, 0.5}) {
+            const Section reach{depth, froude * wave_speed(waves, depth)};
+            const double invariant = reach.velocity - waves.invariant(depth);
+            const double going = reach.velocity + waves.invariant(depth);
+            const double q = waves.area(depth) * reach.velocity;
+            EXPECT_NEAR(inflow_by_discharge(waves, q, invariant).depth / depth, 1.0, 1e-9) << froude;
+            EXPECT_NEAR(outflow_between(waves, going, invariant).depth / depth, 1.0, 1e-9);
+            EXPECT_NEAR(inflow_by_depth(waves, depth, invariant).velocity / reach.velocity, 1.0, 1e-9);
+            // A small change of an invariant changes discharge and depth by as much as it is asked to.
+            const double change = 1e-6 * q;
+            const Section more =
+                outflow_between(waves, going + invariant_of_discharge(waves, reach, change), invariant);
+            EXPECT_NEAR((waves.area(more.depth) * more.velocity - q) / change, 1.0, 1e-4);
+            const double rise = 1e-6 * depth;
+            const Section higher =
+                outflow_between(waves, going, invariant + invariant_of_depth(waves, reach, rise));
+            EXPECT_NEAR((higher.depth - depth) / rise, 1.0, 1e-4);
+        }
+    }
+    const double q = 0.1;
+    const double critical = waves.critical_depth(q);
+    EXPECT_NEAR(q / waves.area(critical), wave_speed(waves, critical), 1e-9);
+    const double going = wave_speed(waves, critical) + waves.invariant(critical);
+    EXPECT_NEAR(invariant_of_critical_flow(waves, going),
+                wave_speed(waves, critical) - waves.invariant(critical), 1e-9);
+    EXPECT_NEAR(waves.sequent_depth(critical, wave_speed(waves, critical)), critical, 1e-6);
 }
 
 TEST(SectionState, InflowCarriesItsDischargeWhateverComesUpTheChannel) {

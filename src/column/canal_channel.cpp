@@ -1,0 +1,174 @@
+#include "column/canal_channel.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <utility>
+
+#include "base/interpolation.hpp"
+#include "case/cross_section.hpp"
+#include "hydraulics/channel_laws.hpp"
+
+namespace riffle::inline column {
+
+namespace {
+
+double lowest_of(const CrossSection& section) {
+    return *std::min_element(section.levels.begin(), section.levels.end());
+}
+
+/// Wetted perimeter of the upright sides above the section at a level, m.
+double wetted_sides(const Case& c, const CrossSection& section, double level) {
+    if (!c.has_side_wall_drag()) return 0.0;
+    const double left = std::max(0.0, level - section.levels.front());
+    // The middle of half a channel is no wall.
+    return c.channel.sides == Sides::half ? left : left + std::max(0.0, level - section.levels.back());
+}
+
+/// The part of a section between two places across the channel.
+CrossSection part_of(const CrossSection& section, double from, double to) {
+    const auto level_at = [&](double y) {
+        std::size_t i = 1;
+        while (i + 1 < section.y.size() && section.y[i] < y) ++i;
+        const double step = section.y[i] - section.y[i - 1];
+        const double share = step > 0.0 ? (y - section.y[i - 1]) / step : 1.0;
+        return section.levels[i - 1] + share * (section.levels[i] - section.levels[i - 1]);
+    };
+    CrossSection part{{from}, {level_at(from)}};
+    for (std::size_t i = 0; i < section.y.size(); ++i) {
+        if (section.y[i] <= from || section.y[i] >= to) continue;
+        part.y.push_back(section.y[i]);
+        part.levels.push_back(section.levels[i]);
+    }
+    part.y.push_back(to);
+    part.levels.push_back(level_at(to));
+    return part;
+}
+
+/// Strips by which the velocities across a canal are found.
+constexpr int strips_across = 80;
+
+/// Coefficients of momentum and energy of velocities over strips.
+std::pair<double, double> coefficients_of(const SectionStrips& strips,
+                                          const std::vector<double>& velocities) {
+    double area = 0.0;
+    double first = 0.0;
+    double second = 0.0;
+    double third = 0.0;
+    for (std::size_t i = 0; i < velocities.size(); ++i) {
+        const double a = std::max(0.0, strips.strips[i].depth);
+        const double u = velocities[i];
+        area += a;
+        first += a * u;
+        second += a * u * u;
+        third += a * u * u * u;
+    }
+    if (!(first > 0.0)) return {1.0, 1.0};
+    return {second * area / (first * first), third * area * area / (first * first * first)};
+}
+
+}  // namespace
+
+std::shared_ptr<const SectionShape> shape_of_section(const Case& c, const Solid& solid) {
+    const CrossSection section = cross_section(c, solid);
+    const double lowest = lowest_of(section);
+    const double width = c.channel.simulated_width();
+    const double highest = *std::max_element(section.levels.begin(), section.levels.end()) - lowest;
+    // Even depths, and both sides of each corner, for at a level floodplain the surface widens at once.
+    constexpr int even = 400;
+    constexpr double depths = 4.0;  // as far as an open end may rise
+    const double top = std::max(highest, depths * c.total_depth());
+    const double hair = 1e-6 * top;
+    std::vector<double> depth;
+    for (int i = 1; i <= even; ++i) depth.push_back(top * i / even);
+    for (const double level : section.levels) {
+        depth.push_back(level - lowest + hair);
+        if (level - lowest > hair) depth.push_back(level - lowest - hair);
+    }
+    std::sort(depth.begin(), depth.end());
+    std::vector<double> kept{0.0};
+    std::vector<double> widths;
+    std::vector<double> perimeters;
+    for (const double h : depth) {
+        if (h - kept.back() >= 0.5 * hair) kept.push_back(h);
+    }
+    for (const double h : kept) {
+        const double level = lowest + std::max(h, hair);
+        const WettedSection wet = wetted_section(section, level);
+        widths.push_back(wet.top_width / width);
+        perimeters.push_back((wet.perimeter + wetted_sides(c, section, level)) / width);
+    }
+    return std::make_shared<const SectionShape>(std::move(kept), std::move(widths), std::move(perimeters));
+}
+
+SectionStrips section_strips(const Case& c, const Solid& solid, double depth, int count) {
+    const CrossSection section = cross_section(c, solid);
+    const double lowest = lowest_of(section);
+    const double level = lowest + depth;
+    const double width = c.channel.simulated_width() / count;
+    SectionStrips strips{width, {}, {}};
+    for (int i = 0; i < count; ++i) {
+        const CrossSection part = part_of(section, i * width, (i + 1) * width);
+        const WettedSection wet = wetted_section(part, level);
+        double perimeter = wet.perimeter;
+        if (c.has_side_wall_drag()) {
+            if (i == 0) perimeter += std::max(0.0, level - section.levels.front());
+            if (i + 1 == count && c.channel.sides != Sides::half) {
+                perimeter += std::max(0.0, level - section.levels.back());
+            }
+        }
+        strips.strips.push_back({wet.area / width, perimeter / width});
+        const CrossSection middle = part_of(section, i * width, (i + 0.5) * width);
+        strips.bed.push_back(middle.levels.back() - lowest);
+    }
+    return strips;
+}
+
+std::vector<double> canal_velocities(const Case& c, const SectionStrips& strips, double slope) {
+    return lateral_profile(strips.strips, strips.width, c.fluid.gravity * slope,
+                           section_of(c)->equivalent_roughness, c.fluid.kinematic_viscosity);
+}
+
+SteadyChannel canal_channel(const Case& c, double unit_discharge) {
+    const Solid& canal = *section_of(c);
+    SteadyChannel channel =
+        colebrook_channel(c.channel.slope, c.fluid.gravity, unit_discharge, canal.equivalent_roughness,
+                          c.fluid.kinematic_viscosity, shape_of_section(c, canal));
+    // What the velocities across add, at depths from which it is interpolated.
+    constexpr int depths = 120;
+    constexpr double lowest_share = 0.02;  // of the case's depth
+    constexpr double highest_share = 6.0;
+    std::vector<double> depth;
+    std::vector<double> momentum;
+    std::vector<double> energy;
+    for (int i = 0; i < depths; ++i) {
+        const double share = static_cast<double>(i) / (depths - 1);
+        const double h = c.total_depth() * lowest_share * std::pow(highest_share / lowest_share, share);
+        if (h < channel.least_depth) continue;
+        const SectionStrips strips = section_strips(c, canal, h, strips_across);
+        const auto [beta, alpha] =
+            coefficients_of(strips, canal_velocities(c, strips, channel.state(h).friction_slope));
+        depth.push_back(h);
+        momentum.push_back(beta);
+        energy.push_back(alpha);
+    }
+    if (depth.empty()) return channel;
+    channel.state = [by_radius = channel.state, depth, momentum, energy](double h) {
+        SectionState state = by_radius(h);
+        const TablePlace place = place_in(depth, h);
+        state.momentum_coefficient = place.in(momentum);
+        state.energy_coefficient = place.in(energy);
+        return state;
+    };
+    return channel;
+}
+
+double canal_uniform_discharge(const Case& c, double depth) {
+    const Solid& canal = *section_of(c);
+    const auto shape = shape_of_section(c, canal);
+    return shape->area(depth) * colebrook_white_velocity(c.streamwise_gravity(), canal.equivalent_roughness,
+                                                         shape->hydraulic_radius(depth),
+                                                         c.fluid.kinematic_viscosity, full_pipe);
+}
+
+}  // namespace riffle::inline column

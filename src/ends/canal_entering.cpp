@@ -1,0 +1,107 @@
+#include "ends/canal_entering.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <memory>
+#include <utility>
+
+#include "base/interpolation.hpp"
+#include "case/cross_section.hpp"
+#include "column/canal_channel.hpp"
+
+namespace riffle::inline ends {
+
+namespace {
+
+constexpr int strips_across = 120;
+
+/// ln(1 + z/z0) over its mean from the bed to a depth.
+double logarithmic(double height, double depth, double zero_height) {
+    const double r = depth / zero_height;
+    const double mean = ((1.0 + r) * std::log1p(r) - r) / r;
+    return std::log1p(std::max(0.0, height) / zero_height) / mean;
+}
+
+/// The law of the log law over a roughness, in water with a friction velocity: a smooth bed has a height of
+/// 0.11 nu/u_* of its own.
+CanalFlowProfile::Law log_law_over(double roughness, double viscosity, double friction_velocity) {
+    const double smooth = friction_velocity > 0.0 ? 0.11 * viscosity / friction_velocity : 0.0;
+    constexpr double least = 1e-9;
+    const double zero_height = std::max(least, roughness / 30.0 + smooth);
+    return [zero_height](double height, double depth) {
+        return depth > 0.0 ? logarithmic(height, depth, zero_height) : 0.0;
+    };
+}
+
+}  // namespace
+
+CanalFlowProfile::CanalFlowProfile(double width, double depth, double least_height, std::vector<double> bed,
+                                   std::vector<double> velocity, Law law)
+    : width_(width),
+      depth_(depth),
+      least_height_(least_height),
+      bed_(std::move(bed)),
+      velocity_(std::move(velocity)),
+      law_(std::move(law)) {
+    double area = 0.0;
+    double discharge = 0.0;
+    for (std::size_t i = 0; i < bed_.size(); ++i) {
+        const double water = std::max(0.0, depth_ - bed_[i]);
+        area += water;
+        discharge += water * velocity_[i];
+    }
+    largest_ = 0.0;
+    for (std::size_t i = 0; i < bed_.size(); ++i) {
+        velocity_[i] *= discharge > 0.0 ? area / discharge : 1.0;
+        const double water = depth_ - bed_[i];
+        if (water > 0.0) largest_ = std::max(largest_, velocity_[i] * law_(water, water));
+    }
+}
+
+double CanalFlowProfile::mean_at(double y, double place) const {
+    const auto count = static_cast<double>(bed_.size());
+    const TablePlace strip = place_among(y / width_ * count - 0.5, bed_.size());
+    const double bed = strip.in(bed_);
+    const double water = std::max(depth_ - bed, least_height_);
+    return strip.in(velocity_)*law_(std::max(place * depth_ - bed, least_height_), water);
+}
+
+std::shared_ptr<const EnteringFlow> canal_entering(const Case& c, double unit_discharge, double depth) {
+    const double width = c.channel.simulated_width();
+    const Inflow& inflow = c.inflow;
+    if (inflow.profile == InflowProfile::uniform) return std::make_shared<const ProfileFlow>(VelocityShape{});
+    const Solid* const canal = canal_of(c);
+    SectionStrips strips = section_strips(c, *section_of(c), depth, strips_across);
+    std::vector<double> velocity(strips_across, 1.0);  // nothing tells it without a friction
+    double friction_velocity = 0.0;
+    if (canal != nullptr && unit_discharge > 0.0) {
+        const SteadyChannel channel = canal_channel(c, unit_discharge);
+        const double slope = channel.state(std::max(depth, channel.least_depth)).friction_slope;
+        velocity = canal_velocities(c, strips, slope);
+        friction_velocity = std::sqrt(c.fluid.gravity * slope * channel.section->hydraulic_radius(depth));
+    }
+    CanalFlowProfile::Law law;
+    switch (inflow.profile) {
+        case InflowProfile::power_law:
+            law = [m = inflow.exponent](double height, double of) {
+                return of > 0.0 ? (1.0 + 1.0 / m) * std::pow(std::max(0.0, height / of), 1.0 / m) : 0.0;
+            };
+            break;
+        case InflowProfile::log_law:
+            law = log_law_over(inflow.equivalent_roughness, 0.0, 0.0);
+            break;
+        case InflowProfile::twin:
+        case InflowProfile::column:
+        case InflowProfile::file:
+        case InflowProfile::results:
+        case InflowProfile::uniform:
+            law = log_law_over(canal->equivalent_roughness, c.fluid.kinematic_viscosity, friction_velocity);
+            break;
+    }
+    constexpr double least = 0.25;  // of a row
+    return std::make_shared<const CanalFlowProfile>(
+        width, depth, least * c.numerics.spacing, std::move(strips.bed), std::move(velocity), std::move(law));
+}
+
+}  // namespace riffle::inline ends

@@ -1,0 +1,42 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <memory>
+#include <vector>
+
+#include "case/case.hpp"
+#include "ends/long_waves.hpp"
+#include "hydraulics/section_shape.hpp"
+#include "particles/lattice.hpp"
+
+namespace riffle::inline ends {
+
+/// Which places of the lattice across a channel hold water beyond its ends: all of them, or, where the
+/// channel has a cross-section of its own (section_of()), those outside of its solid, as at the start.
+class EndLattice {
+  public:
+    /// All of them, in any number of rows.
+    EndLattice() = default;
+    EndLattice(const Case& c, const Lattice& lattice);
+
+    [[nodiscard]] bool is_rectangle() const { return shape_ == nullptr; }
+    /// Whether water may stand in a row and a file; rows above those that were looked at are as the last one.
+    [[nodiscard]] bool holds(int row, int file) const;
+    /// Height of the water's lowest place in a file over that of the section, m; that of the highest row
+    /// where it has none.
+    [[nodiscard]] double floor_of(int file) const;
+    /// The section as those places fill it; null of a rectangle.
+    [[nodiscard]] const std::shared_ptr<const SectionShape>& shape() const { return shape_; }
+
+  private:
+    std::size_t files_ = 0;
+    std::vector<std::uint8_t> holds_;  ///< by rows, within them by files
+    std::vector<double> floor_;        ///< by file
+    std::shared_ptr<const SectionShape> shape_;
+};
+
+/// Waves over the section of a case with open ends as its lattice fills it: those that rule its ends.
+[[nodiscard]] LongWaves waves_of_lattice(const Case& c);
+
+}  // namespace riffle::inline ends

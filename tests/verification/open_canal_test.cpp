@@ -1,0 +1,124 @@
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "base/parallel.hpp"
+#include "case/case.hpp"
+#include "column/canal_channel.hpp"
+#include "ends/end_lattice.hpp"
+#include "particles/lattice.hpp"
+#include "solver/simulation.hpp"
+#include "solver/start.hpp"
+
+// Canals with open ends, coarse enough for seconds: six rows over the depth.
+
+namespace riffle::open_canal_test {
+namespace {
+
+constexpr double depth = 0.045;
+
+/// Bottom 60 mm, banks 1:1, in a channel of 180 mm; `section`: of another shape.
+std::string canal(
+    const std::string& outflow,
+    const std::string& section = "shape = \"trapezoid\"\nbottom_width = 0.06\nbank_slope = 1\n") {
+    return "[channel]\ndimensions = 3\nsides = \"walls\"\nends = \"open\"\nslope = 0.002\ndepth = " +
+           std::to_string(depth) +
+           "\nwidth = 0.18\nlength = 0.45\n[bed]\nkind = \"slip\"\n[side_walls]\ndrag_form = \"none\"\n"
+           "[turbulence]\nclosure = \"nezu-rodi\"\n[numerics]\nspacing = 0.0075\n[start]\nkind = \"column\"\n"
+           "[run]\nuntil = 5\n[[solid]]\nname = \"canal\"\n" +
+           section + "surface = \"log-law\"\nequivalent_roughness = 0.001\n" + outflow;
+}
+
+struct CanalRun {
+    Case c;
+    std::unique_ptr<SimulationIn<3>> simulation;
+
+    explicit CanalRun(const std::string& text) : c(parse_case(text, "canal")) {
+        simulation =
+            make_simulation<3>(c, nullptr, initial_particles<3>(c, make_scheme(c, nullptr), nullptr));
+    }
+    void advance_to(double time) {
+        while (simulation->clock().time < time) simulation->step();
+    }
+    [[nodiscard]] const OpenEndsState& ends() const { return simulation->clock().open_ends; }
+};
+
+/// Discharge of uniform flow over the width of that canal, m2/s.
+double uniform_discharge(const std::string& text) {
+    Case c = parse_case(text + "[inflow]\ndischarge = 1e-3\n", "canal");
+    return canal_uniform_discharge(c, depth);
+}
+
+std::string inflow(double unit_discharge) {
+    return "[inflow]\nunit_discharge = " + std::to_string(unit_discharge) + "\n";
+}
+
+TEST(OpenCanal, UniformFlowStaysUniform) {
+    const double q = uniform_discharge(canal(""));
+    CanalRun run(canal("[outflow]\nkind = \"normal-depth\"\n" + inflow(q)));
+    run.simulation->step();
+    const auto at_start = static_cast<std::int64_t>(run.simulation->particles().size());
+    const LongWaves waves = waves_of_lattice(run.c);
+    run.advance_to(1.0);
+    double level = 0.0;
+    double discharge = 0.0;
+    int samples = 0;
+    for (double time = 1.0; time < 2.0; time += 0.02) {
+        run.advance_to(time);
+        const EndState& out = run.ends().downstream;
+        level += out.depth / depth;
+        discharge += waves.area(out.depth) * out.velocity / q;
+        ++samples;
+    }
+    EXPECT_NEAR(level / samples, 1.0, 0.01);
+    EXPECT_NEAR(discharge / samples, 1.0, 0.02);
+    // Each particle by its number.
+    const EndsLedger& ledger = run.ends().ledger;
+    EXPECT_EQ(static_cast<std::int64_t>(run.simulation->particles().size()),
+              at_start + ledger.entered - ledger.left);
+    EXPECT_TRUE(run.simulation->particles().lost.empty());
+    // What entered is the discharge to the particles that wait.
+    const double particle = lattice_of(run.c).volume();
+    const double entered =
+        static_cast<double>(ledger.entered) * particle / (q * 0.18 * run.simulation->clock().time);
+    EXPECT_NEAR(entered, 1.0, 0.05);
+}
+
+TEST(OpenCanal, HasTheSameBitsForAnyNumberOfThreadsAndAfterARestore) {
+    const std::string text =
+        canal("[outflow]\nkind = \"depth\"\ndepth = 0.05\n" + inflow(0.6 * uniform_discharge(canal(""))),
+              "shape = \"compound\"\nbottom_width = 0.06\nbank_slope = 1\nbank_height = 0.02\n");
+    const int threads = thread_count();
+    set_thread_count(1);
+    CanalRun one(text);
+    one.advance_to(0.12);
+    set_thread_count(2);
+    CanalRun two(text);
+    two.advance_to(0.06);
+    CanalRun resumed(text);
+    Particles<3> saved = two.simulation->particles();
+    for (std::size_t k = 0; k < 3 && !two.simulation->lists_out_of_date(); ++k) {
+        saved.listed_position[k].resize(saved.size());
+        two.simulation->listed_positions(k, 0, saved.listed_position[k]);
+    }
+    SimulationClock clock = two.simulation->clock();
+    const std::vector<double> sound = clock.open_ends.sound_numbers();
+    clock.open_ends = OpenEndsState::from(clock.open_ends.numbers());
+    clock.open_ends.take_sound(sound);
+    resumed.simulation->restore(saved, clock, two.simulation->wall_density_deviation());
+    two.advance_to(0.12);
+    resumed.advance_to(0.12);
+    set_thread_count(threads);
+    for (const CanalRun* const other : {&two, &resumed}) {
+        EXPECT_EQ(one.ends(), other->ends());
+        EXPECT_EQ(one.simulation->particles().position, other->simulation->particles().position);
+        EXPECT_EQ(one.simulation->particles().velocity, other->simulation->particles().velocity);
+        EXPECT_EQ(one.simulation->particles().id, other->simulation->particles().id);
+    }
+}
+
+}  // namespace
+}  // namespace riffle::open_canal_test
