@@ -291,7 +291,7 @@ void analyse_along(const FlowRecord& record, Analysis& analysis) {
     const std::optional<UnitDischarge> discharge = canal ? std::nullopt : unit_discharge(record);
     std::optional<Heads> heads;
     if (discharge) {
-        if (section_of(c) != nullptr) {
+        if (section_of(c) != nullptr || measured_bed_of(c) != nullptr) {
             const double width = c.channel.width;
             std::optional<double> half_width = discharge->half_width;
             if (half_width) *half_width *= width;

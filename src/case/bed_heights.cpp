@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "base/error.hpp"
+#include "case/end_buffers.hpp"
 #include "case/height_file.hpp"
 #include "case/text_lines.hpp"
 
@@ -79,6 +80,7 @@ class BedMaker {
                 axis == 0 ? c_.channel.ends == Ends::periodic : c_.channel.sides == Sides::periodic;
             if (periodic) join_ends(axis);
         }
+        if (c_.channel.ends == Ends::open) level_ends();
         check_level();
         const HeightSpread spread(bed_.z);
         note(fmt::format("heights {} to {} above the bed level, mean {}, standard deviation {}",
@@ -388,6 +390,42 @@ class BedMaker {
                 "differs by up to {} between its {}, which are periodic: {}", length_text(jump), ends,
                 solid_.blend > 0.0 ? fmt::format("spread over {} before either", length_text(solid_.blend))
                                    : std::string("both take the mean")));
+        }
+    }
+
+    /// Makes the bed the same along the channel where water enters and leaves and where it is watched there:
+    /// at each place across its mean over that stretch, from which it goes over to the heights of the file.
+    void level_ends() {
+        const double watched = watched_stretch(c_);
+        const auto level = static_cast<std::size_t>(std::ceil(watched / bed_.step_x)) + 1;
+        const double over = std::max(solid_.blend > 0.0 ? solid_.blend : watched, bed_.step_x);
+        const auto all =
+            std::min(bed_.columns / 2, level + static_cast<std::size_t>(std::ceil(over / bed_.step_x)));
+        double change = 0.0;
+        for (std::size_t row = 0; row <= bed_.rows; ++row) {
+            for (const bool upstream : {true, false}) {
+                const auto at = [&](std::size_t i) -> double& {
+                    return bed_.at(upstream ? i : bed_.columns - i, row);
+                };
+                const std::size_t last = std::min(level, bed_.columns / 2);
+                double mean = 0.0;
+                for (std::size_t i = 0; i <= last; ++i) mean += at(i) / static_cast<double>(last + 1);
+                for (std::size_t i = 0; i <= all; ++i) {
+                    const double way =
+                        (static_cast<double>(i) - static_cast<double>(last)) * bed_.step_x / over;
+                    const double t = std::clamp(1.0 - way, 0.0, 1.0);
+                    const double moved = t * t * (3.0 - 2.0 * t) * (mean - at(i));
+                    change = std::max(change, std::abs(moved));
+                    at(i) += moved;
+                }
+            }
+        }
+        if (change > 1e-6 * c_.numerics.spacing) {
+            note(fmt::format(
+                "made the same along the channel over {} from either open end, at each place across its mean there, by up "
+                "to {}; over the next {} it goes over to the heights of the file",
+                length_text(static_cast<double>(level) * bed_.step_x), length_text(change),
+                length_text(over)));
         }
     }
 

@@ -27,9 +27,11 @@ struct BedHeights {
 /// The heights of a solid by `shape` = "bed". Where data are finer than the spacing a height is their mean
 /// over one spacing around its place, else it lies straight between them; holes up to `largest_hole` are
 /// filled (fill_holes()); over `blend` before periodic ends and sides half of the difference between the two
-/// is added to the one and taken from the other. FileError for the file (parse_height_grid()); InputError,
-/// with what to do, where it does not cover the channel, has too large a hole, lies below the bed level, does
-/// not repeat at periodic ends, or has heights that look like a wrong unit.
+/// is added to the one and taken from the other. Beside open ends the bed is made the same along the channel
+/// over watched_stretch(), and over `blend` behind that, or as far again, goes over to the data. FileError
+/// for the file (parse_height_grid()); InputError, with what to do, where it does not cover the channel, has
+/// too large a hole, lies below the bed level, does not repeat at periodic ends, or has heights that look
+/// like a wrong unit.
 [[nodiscard]] BedHeights bed_heights(const Case& c, const Solid& solid);
 
 /// The widest hole that is filled of a bed, m: `largest_hole`, else four particle spacings.

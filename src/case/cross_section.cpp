@@ -220,6 +220,12 @@ const Solid* section_of(const Case& c) {
     return found;
 }
 
+const Solid* measured_bed_of(const Case& c) {
+    const auto found = std::find_if(c.solids.begin(), c.solids.end(),
+                                    [](const Solid& solid) { return solid.shape == SolidShape::bed; });
+    return c.channel.dimensions == 3 && found != c.solids.end() ? &*found : nullptr;
+}
+
 const Solid* canal_of(const Case& c) {
     const Solid* const solid = section_of(c);
     if (solid == nullptr || solid->surface != SolidSurface::log_law) return nullptr;

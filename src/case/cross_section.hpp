@@ -37,6 +37,9 @@ struct WettedSection {
 /// none does, more than one, or one that is drawn wrong.
 [[nodiscard]] const Solid* section_of(const Case& c);
 
+/// The solid of a case in three dimensions that is a bed of measured heights; nothing where none is.
+[[nodiscard]] const Solid* measured_bed_of(const Case& c);
+
 /// The one solid of a case that makes it a canal: of one cross-section all along the channel, with the
 /// friction of the log law; between periodic ends down a slope and with no solid beside it. Nothing where the
 /// case is another.

@@ -3,6 +3,7 @@
 
 #include "case/bed_patch.hpp"
 #include "case/bed_traits.hpp"
+#include "case/cross_section.hpp"
 #include "case/end_buffers.hpp"
 #include "case/end_floor.hpp"
 #include "case/end_levels.hpp"
@@ -56,7 +57,8 @@ CheckList inflow_refusals() {
              "remove one of them; the other follows",
              [](const Case& c) {
                  const auto q = c.inflow_unit_discharge();
-                 if (!q || !c.inflow.depth) {
+                 // Over measured heights the ends themselves look at it.
+                 if (!q || !c.inflow.depth || measured_bed_of(c) != nullptr) {
                      return Findings{};
                  }
                  const double critical = critical_depth_of(c, *q);

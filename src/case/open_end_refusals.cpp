@@ -2,6 +2,7 @@
 #include <optional>
 
 #include "case/bed_patch.hpp"
+#include "case/cross_section.hpp"
 #include "case/end_buffers.hpp"
 #include "case/end_floor.hpp"
 #include "case/end_levels.hpp"
@@ -115,7 +116,8 @@ CheckList open_end_refusals() {
              R"(make it deeper, or choose kind = "critical-depth" or, for supercritical flow, "free")",
              [](const Case& c) {
                  const auto q = c.inflow_unit_discharge();
-                 if (!q || c.outflow.kind != OutflowKind::depth || !c.outflow.depth) {
+                 if (!q || c.outflow.kind != OutflowKind::depth || !c.outflow.depth ||
+                     measured_bed_of(c) != nullptr) {
                      return Findings{};
                  }
                  const double critical = critical_depth_of(c, *q);

@@ -13,19 +13,22 @@ namespace {
 /// What of a bed in space water can not enter and leave over.
 Findings unlike_a_section(const Case& c, const Solid& solid) {
     if (!in_space(c) || !is_bed_shape(solid.shape)) return {};
-    if (!is_section(solid.shape)) {
-        return found_if(true, "\"{}\" is a bed of heights, which differ along the channel", solid.name);
+    const auto beds = std::count_if(c.solids.begin(), c.solids.end(),
+                                    [](const Solid& other) { return is_bed_shape(other.shape); });
+    if (solid.shape == SolidShape::spheres || beds > 1) {
+        return found_if(true, "\"{}\" is {}", solid.name,
+                        beds > 1 ? "one of several beds" : "a layer of spheres");
     }
-    if (section_of(c) != &solid) {
-        // One that is drawn wrong is told of by itself.
-        return found_if(section_fault(c, solid).empty(), "\"{}\" is one of several cross-sections",
-                        solid.name);
-    }
+    // One that is drawn wrong is told of by itself.
+    if (!is_section(solid.shape) || !section_fault(c, solid).empty()) return {};
     const CrossSection section = cross_section(c, solid);
     const double lowest = *std::min_element(section.levels.begin(), section.levels.end());
     return found_if(lowest > 1e-6 * c.total_depth(), "the lowest point of \"{}\" is {} over the bed level",
                     solid.name, shown_length(lowest));
 }
+
+/// Whether the channel is no rectangle: of a cross-section, or over measured heights.
+bool has_own_section(const Case& c) { return section_of(c) != nullptr || measured_bed_of(c) != nullptr; }
 
 }  // namespace
 
@@ -33,43 +36,42 @@ CheckList open_section_refusals() {
     return {
         {
             {{"channel.ends", "solid.shape"},
-             "a bed of heights in three dimensions, several cross-sections, or one whose lowest point is above the bed level",
-             "water enters and leaves over one cross-section, and depths at the ends count from its lowest point",
-             "give the bed as one `shape = \"section\"` (or \"trapezoid\", \"compound\", \"pipe\") with its lowest level at 0, and what differs from it along the channel as [[solid]] away from the ends; or let the ends be periodic or walls",
+             "in three dimensions a layer of spheres that are solid, several beds, or a cross-section whose lowest point is above the bed level",
+             "water enters and leaves over one bed, and depths count from the bed level",
+             "give the bed as one `shape = \"section\"` (or \"trapezoid\", \"compound\", \"pipe\") with its lowest level at 0, or as one \"bed\" of heights, and what stands on it as [[solid]] away from the ends; or let the ends be periodic or walls",
              [](const Case& c, const Solid& solid) { return unlike_a_section(c, solid); }},
             {{"outflow.kind", "solid.shape"},
-             R"(`kind = "weir"` or `"free-fall"` of a channel with a cross-section of its own)",
+             R"(`kind = "weir"` or `"free-fall"` of a channel with a cross-section of its own, or over measured heights)",
              "the crest of the weir and the edge of the bed are level all across the channel",
              R"(choose kind = "rating-curve" with the rating of the weir, "critical-depth", or another)",
              [](const Case& c) {
-                 return section_of(c) != nullptr &&
+                 return has_own_section(c) &&
                         (c.outflow.kind == OutflowKind::weir || c.outflow.kind == OutflowKind::free_fall);
              }},
             {{"inflow.profile", "solid.shape"},
-             R"(`profile = "column"`, `"file"` or `"results"` in a channel with a cross-section of its own)",
+             R"(`profile = "column"`, `"file"` or `"results"` in a channel with a cross-section of its own, or over measured heights)",
              "they are over one depth all across the channel",
              R"(choose profile = "twin" (of a solid with surface = "log-law"), "log-law", "power-law" or "uniform")",
              [](const Case& c) {
                  const InflowProfile profile = c.inflow.profile;
-                 return section_of(c) != nullptr &&
+                 return has_own_section(c) &&
                         (profile == InflowProfile::column || profile == InflowProfile::file ||
                          profile == InflowProfile::results);
              }},
             {{"inflow.profile", "outflow.kind", "start.kind", "solid.surface"},
-             R"(the profile of the twin, the normal depth or `kind = "backwater"` in a channel whose cross-section is not `surface = "log-law"`)",
+             R"(the profile of the twin, the normal depth or `kind = "backwater"` over measured heights, or in a channel whose cross-section is not `surface = "log-law"`)",
              "nothing tells the friction of uniform flow there",
-             R"(set surface = "log-law" and its equivalent_roughness, or choose inflow.profile = "uniform", outflow.kind = "depth" and another start)",
+             R"(choose inflow.profile = "log-law" or "uniform", outflow.kind = "depth", "rating-curve" or "critical-depth" and another start; of a cross-section, or set surface = "log-law" and its equivalent_roughness)",
              [](const Case& c) {
-                 return section_of(c) != nullptr && canal_of(c) == nullptr &&
+                 return has_own_section(c) && canal_of(c) == nullptr &&
                         (c.inflow.profile == InflowProfile::twin ||
-                         c.outflow.kind == OutflowKind::normal_depth ||
-                         c.start.kind == StartKind::backwater || c.start.kind == StartKind::column);
+                         c.outflow.kind == OutflowKind::normal_depth || c.start.kind == StartKind::backwater);
              }},
             {{"channel.top", "solid.shape"},
-             "`top = \"wall\"` over a cross-section, with open ends",
+             "`top = \"wall\"` over a cross-section or measured heights, with open ends",
              "what enters a duct fills a rectangle",
              "let the surface be free",
-             [](const Case& c) { return is_duct(c) && section_of(c) != nullptr; }},
+             [](const Case& c) { return is_duct(c) && has_own_section(c); }},
         },
         [](const Case& c) { return c.channel.ends == Ends::open && in_space(c) && !c.solids.empty(); }};
 }

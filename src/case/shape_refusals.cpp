@@ -68,7 +68,9 @@ Findings stretched_spheres(const Case& c, const Solid& solid) {
 Findings needless_blend(const Case& c, const Solid& solid) {
     const bool along = c.channel.ends == Ends::periodic;
     const bool across = in_space(c) && c.channel.sides == Sides::periodic;
-    return found_if(solid.blend > 0.0 && !along && !across, "blend is {}, and the channel has no periodic {}",
+    const bool open = c.channel.ends == Ends::open;
+    return found_if(solid.blend > 0.0 && !along && !across && !open,
+                    "blend is {}, and the channel has no periodic {} and no open ends",
                     shown_length(solid.blend), in_space(c) ? "ends or sides" : "ends");
 }
 
@@ -140,7 +142,7 @@ CheckList shape_refusals() {
          },
          true},
         {{"solid.blend", "channel.ends"},
-         "`blend` without periodic ends or sides",
+         "`blend` without periodic ends or sides or open ends",
          "there is nothing to join",
          "remove the key",
          needless_blend},

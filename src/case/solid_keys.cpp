@@ -143,12 +143,15 @@ void add_bed_keys(SectionKeys& s) {
             .with_default_note("the file's own origin")
             .with_example("[523400, 4512300, 118.2]")
             .applies_with(shape, {"bed"}, true));
-    s.keys.push_back(solid_key("blend", &Solid::blend,
-                               "Length before periodic ends and sides over which the difference of the bed's "
-                               "heights between the two is spread.")
-                         .measured_in(length)
-                         .at_least(0)
-                         .applies_with(shape, {"bed"}, true));
+    s.keys.push_back(
+        solid_key("blend", &Solid::blend,
+                  "Length before periodic ends and sides over which the difference of the bed's "
+                  "heights between the two is spread; beside open ends, where the bed is made the "
+                  "same along the channel, that over which it goes over to the heights of the file "
+                  "(0: as far again as it is the same).")
+            .measured_in(length)
+            .at_least(0)
+            .applies_with(shape, {"bed"}, true));
     s.keys.push_back(
         solid_key("largest_hole", &Solid::largest_hole,
                   "Width of the widest hole without heights that is filled; a wider one is refused.")

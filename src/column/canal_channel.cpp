@@ -164,11 +164,13 @@ SteadyChannel canal_channel(const Case& c, double unit_discharge) {
 }
 
 double canal_uniform_discharge(const Case& c, double depth) {
-    const Solid& canal = *section_of(c);
-    const auto shape = shape_of_section(c, canal);
-    return shape->area(depth) * colebrook_white_velocity(c.streamwise_gravity(), canal.equivalent_roughness,
-                                                         shape->hydraulic_radius(depth),
-                                                         c.fluid.kinematic_viscosity, full_pipe);
+    return canal_uniform_discharge(c, *shape_of_section(c, *section_of(c)), depth);
+}
+
+double canal_uniform_discharge(const Case& c, const SectionShape& shape, double depth) {
+    return shape.area(depth) *
+           colebrook_white_velocity(c.streamwise_gravity(), section_of(c)->equivalent_roughness,
+                                    shape.hydraulic_radius(depth), c.fluid.kinematic_viscosity, full_pipe);
 }
 
 }  // namespace riffle::inline column

@@ -20,6 +20,8 @@ namespace riffle::inline column {
 
 /// Discharge of uniform flow in such a channel at a depth (m), over its width, m2/s.
 [[nodiscard]] double canal_uniform_discharge(const Case& c, double depth);
+/// The same with the shape of its section at hand.
+[[nodiscard]] double canal_uniform_discharge(const Case& c, const SectionShape& shape, double depth);
 
 /// Strips of equal width across the simulated channel of a section with the water at a depth over its lowest
 /// point, and the height of the bed in the middle of each over that point, m.

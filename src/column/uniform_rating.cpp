@@ -1,8 +1,13 @@
 #include "column/uniform_rating.hpp"
 
+#include <algorithm>
 #include <cmath>
+#include <cstddef>
 #include <utility>
 
+#include "base/interpolation.hpp"
+#include "case/cross_section.hpp"
+#include "column/canal_channel.hpp"
 #include "column/twin_channel.hpp"
 
 namespace riffle::inline column {
@@ -16,7 +21,32 @@ constexpr int points = 4;
 
 UniformRating::UniformRating(Case c)
     : case_(std::move(c)),
-      lowest_(static_cast<int>(std::ceil(std::log(least_known_depth(case_) / case_.channel.depth) / step))) {}
+      lowest_(static_cast<int>(std::ceil(std::log(least_known_depth(case_) / case_.channel.depth) / step))) {
+    const Solid* const canal = canal_of(case_);
+    if (canal == nullptr) return;
+    constexpr double ratio = 1.005;
+    constexpr double highest = 10.0;  // of the depth of the case
+    const auto shape = shape_of_section(case_, *canal);
+    const double least = std::max(least_known_depth(case_), 1e-3 * case_.channel.depth);
+    double most = 0.0;
+    for (double depth = least; depth < highest * case_.channel.depth; depth *= ratio) {
+        most = std::max(most, canal_uniform_discharge(case_, *shape, depth));
+        canal_depths_.push_back(depth);
+        canal_discharges_.push_back(most);
+    }
+}
+
+double UniformRating::depth_of_canal(double unit_discharge) const {
+    // Beyond the ends as the power of the depth of a wide channel.
+    constexpr double power = 0.6;
+    const std::size_t last = canal_depths_.size() - 1;
+    for (const std::size_t end : {std::size_t{0}, last}) {
+        const bool beyond =
+            end == 0 ? unit_discharge < canal_discharges_[end] : unit_discharge > canal_discharges_[end];
+        if (beyond) return canal_depths_[end] * std::pow(unit_discharge / canal_discharges_[end], power);
+    }
+    return place_in(canal_discharges_, unit_discharge).in(canal_depths_);
+}
 
 double UniformRating::log_discharge(int k) {
     const auto found = log_discharges_.find(k);
@@ -27,6 +57,7 @@ double UniformRating::log_discharge(int k) {
 
 double UniformRating::depth(double unit_discharge) {
     if (!(unit_discharge > 0.0)) return 0.0;
+    if (!canal_depths_.empty()) return depth_of_canal(unit_discharge);
     const double wanted = std::log(unit_discharge);
     // The node below; the depth of the case is where to look first.
     int below = std::max(lowest_, 0);

@@ -92,12 +92,12 @@ template <int D>
 /// water lacks from the end of that on to where it is still full, where the rows are shortest. (Rows of water
 /// that has been in the channel are in disorder, and their number changes with the depth; one that looked
 /// empty was filled from the end of the channel on, and a wave half a row high ran up it.) `area` (m2): of
-/// the water's section; its depth in two dimensions.
+/// the water's section, which fills the places `across`; its depth in two dimensions.
 template <int D>
 [[nodiscard]] std::vector<Vec<D>> gaps_behind_outflow(const Particles<D>& p, const Lattice& lattice,
-                                                      const InflowStreams& streams, const EndRows& of,
-                                                      double length, double support, double density,
-                                                      double area) {
+                                                      const InflowStreams& streams, const EndLattice& across,
+                                                      const EndRows& of, double length, double support,
+                                                      double density, double area) {
     const double step = streams.length(of.rows, of.depth);
     const auto slices = static_cast<std::size_t>(std::lround(support / step));
     const double slice = support / static_cast<double>(slices);
@@ -128,7 +128,7 @@ template <int D>
                              from - 0.5 * step);
     for (int row = 0; row < of.rows; ++row) {
         for (int file = 0; file < files; ++file) {
-            if (streams.lattice().holds(row, file)) continue;
+            if (across.holds(row, file)) continue;
             last[static_cast<std::size_t>(row) * static_cast<std::size_t>(files) +
                  static_cast<std::size_t>(file)] = end;
         }

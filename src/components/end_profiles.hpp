@@ -26,15 +26,18 @@ class EndProfiles {
         : lattice_(lattice),
           length_(flow.c.channel.length),
           floors_(end_floors(flow.c)),
-          places_(flow.c, lattice),
-          sections_(read_end_input(flow.c), LongWaves(flow.scheme.normal_gravity, places_.shape()),
+          upstream_(flow.c, lattice, place_of_end(flow.c, true)),
+          downstream_(flow.c, lattice, place_of_end(flow.c, false)),
+          sections_(read_end_input(flow.c), waves_over(flow, upstream_), waves_over(flow, downstream_),
                     flow.scheme.state.sound_speed, lattice.dz),
           leaving_(lattice.dz, floors_of_files()) {
         for (int file = 0; file < lattice_.files; ++file) files_.push_back(lattice_.y(file, 0));
     }
 
     [[nodiscard]] const EndSections& sections() const { return sections_; }
-    [[nodiscard]] const EndLattice& places() const { return places_; }
+    /// Which places across the channel hold water beyond the inflow, and beyond the outflow.
+    [[nodiscard]] const EndLattice& upstream() const { return upstream_; }
+    [[nodiscard]] const EndLattice& downstream() const { return downstream_; }
     [[nodiscard]] const EndFloors& floors() const { return floors_; }
     [[nodiscard]] const EnteringFlow& entering() const { return *sections_.input().entering; }
 
@@ -44,16 +47,33 @@ class EndProfiles {
                (entering ? floors_.upstream : floors_.downstream);
     }
 
+    /// Velocity with which a particle rises with the depth of the water of its end, m/s.
+    [[nodiscard]] double rise(const Flow& flow, std::size_t i, const EndState& end, bool entering) const {
+        const double lowest = (entering ? sections_.upstream() : sections_.downstream()).lowest();
+        // At the outflow no water may be, or a drop of it.
+        const double depth = entering ? end.depth - lowest : std::max(end.depth - lowest, lattice_.dz);
+        return (over_floor(flow, i, entering) - lowest) / depth * end.depth_rate;
+    }
+
+    /// Width of the surface over the area of the water at an end, 1/m; in a rectangle 1/h.
+    [[nodiscard]] double widening(const EndState& end, bool entering) const {
+        const LongWaves& waves = entering ? sections_.upstream() : sections_.downstream();
+        const double depth = std::max(end.depth, waves.lowest() + lattice_.dz);
+        if (waves.in_rectangle()) return 1.0 / depth;
+        const double c = waves.speed(depth);
+        return waves.gravity() / (c * c);
+    }
+
     /// Pressure over the density at a height over the floor of an end.
     [[nodiscard]] double pressure_of(const EndState& end, double height) const {
         return sections_.in_duct() ? end.pressure
-                                   : sections_.waves().gravity() * std::max(0.0, end.depth - height);
+                                   : sections_.upstream().gravity() * std::max(0.0, end.depth - height);
     }
 
     /// Speed at which news of the flow come to the outflow: of its waves, in a duct of the water.
     [[nodiscard]] double leaving_speed(const OpenEndsState& state, double depth) const {
         return sections_.in_duct() ? std::abs(state.downstream.watched_velocity)
-                                   : wave_speed(sections_.waves(), depth);
+                                   : wave_speed(sections_.downstream(), depth);
     }
 
     /// The velocities with which the water of a start leaves.
@@ -61,13 +81,13 @@ class EndProfiles {
         const int bins = std::max(4, lattice_.rows / 2);
         const double out = std::max(state.downstream.depth, lattice_.dz);
         // In a section each file has its own, over the bed there.
-        const std::size_t profiles = places_.is_rectangle() ? 1 : files_.size();
+        const std::size_t profiles = downstream_.is_rectangle() ? 1 : files_.size();
         for (std::size_t file = 0; file < profiles; ++file) {
-            const double bed = std::min(places_.floor_of(static_cast<int>(file)), out);
+            const double bed = std::min(downstream_.floor_of(static_cast<int>(file)), out);
             for (int bin = 0; bin < bins; ++bin) {
                 const double place = (bin + 0.5) / bins;
                 const double relative =
-                    places_.is_rectangle()
+                    downstream_.is_rectangle()
                         ? mean_across(place)
                         : entering().mean_at(files_[file], (bed + place * (out - bed)) / out);
                 state.leaving.push_back(state.downstream.velocity * relative);
@@ -102,7 +122,7 @@ class EndProfiles {
     void go_to_now(const Flow& flow) {
         moment_ = flow.clock.time;
         const OpenEndsState& state = flow.clock.open_ends;
-        if (places_.is_rectangle()) {
+        if (upstream_.is_rectangle()) {
             entering_mean_ = entering().mean_of_streams(moment_, state.rows, files_);
             return;
         }
@@ -110,13 +130,13 @@ class EndProfiles {
         double sum = 0.0;
         for (int row = 0; row < state.rows; ++row) {
             for (int file = 0; file < lattice_.files; ++file) {
-                if (!places_.holds(row, file)) continue;
+                if (!upstream_.holds(row, file)) continue;
                 sum += entering().at(moment_, files_[static_cast<std::size_t>(file)],
                                      (row + 0.5) / state.rows)[0];
             }
         }
         const double depth = state.upstream.depth;
-        entering_mean_ = sum / (state.rows * lattice_.files) * depth / sections_.waves().area(depth);
+        entering_mean_ = sum / (state.rows * lattice_.files) * depth / sections_.upstream().area(depth);
     }
 
     /// (u, v, w) of what enters now at y and z/h, over the mean of its section.
@@ -135,23 +155,27 @@ class EndProfiles {
                                                               const EndWatch<D, Real>& watch,
                                                               std::size_t end) const {
         auto seen = watch.watch(flow, end);
-        seen.depth = sections_.waves().depth_of_area(seen.depth);
+        seen.depth = (end == 0 ? sections_.upstream() : sections_.downstream()).depth_of_area(seen.depth);
         return seen;
     }
 
   private:
+    [[nodiscard]] static LongWaves waves_over(const Flow& flow, const EndLattice& places) {
+        return {flow.scheme.normal_gravity, places.shape(), places.lowest()};
+    }
+
     /// Heights of the bed in the files of a section; none of a rectangle.
     [[nodiscard]] std::vector<double> floors_of_files() const {
         std::vector<double> floors;
-        for (int file = 0; file < lattice_.files && !places_.is_rectangle(); ++file) {
-            floors.push_back(places_.floor_of(file));
+        for (int file = 0; file < lattice_.files && !downstream_.is_rectangle(); ++file) {
+            floors.push_back(downstream_.floor_of(file));
         }
         return floors;
     }
 
     /// The file of a section in which a particle stands; 0 in a rectangle, where all have one profile.
     [[nodiscard]] std::size_t file_of(const Flow& flow, std::size_t i) const {
-        if (places_.is_rectangle()) return 0;
+        if (downstream_.is_rectangle()) return 0;
         const double file = across_of<D>(flow.particles.position, i) / lattice_.dy;
         return static_cast<std::size_t>(std::clamp(file, 0.0, lattice_.files - 0.5));
     }
@@ -166,7 +190,8 @@ class EndProfiles {
     Lattice lattice_;
     double length_;
     EndFloors floors_;
-    EndLattice places_;  ///< across the channel
+    EndLattice upstream_;  ///< across the channel
+    EndLattice downstream_;
     EndSections sections_;
     LeavingProfile leaving_;
     std::vector<double> files_;   ///< places of the streams across the channel, m

@@ -38,7 +38,7 @@ class OpenEnds final : public Component<D, Real> {
           watch_(length_, watched_spacings(flow.c) * lattice_.dx),
           sound_(flow, lattice_, watch_.half(), support_ + travel_ + 2.0 * lattice_.dx),
           streams_(lattice_.files, lattice_.dx * lattice_.dz, lattice_.dz, -(support_ + travel_),
-                   profiles_.places()) {
+                   profiles_.upstream()) {
         flow.inputs.acceleration = true;
         begin(flow);
     }
@@ -138,7 +138,7 @@ class OpenEnds final : public Component<D, Real> {
     void end_step(Flow& flow) override {
         OpenEndsState& state = flow.clock.open_ends;
         const EndState& end = state.upstream;
-        streams_.advance(state, step_, spreading(end), [&](int row, int file) {
+        streams_.advance(state, step_, spreading(end, true), [&](int row, int file) {
             return end.velocity * profiles_.entering_in_stream(row, file, state.rows) /
                    profiles_.entering_mean();
         });
@@ -176,7 +176,8 @@ class OpenEnds final : public Component<D, Real> {
                                          ? flow.c.total_depth() - (end == 0 ? profiles_.floors().upstream
                                                                             : profiles_.floors().downstream)
                                          : std::max(water.depth, lattice_.dz);
-                return sections().start(depth, sections().waves().area(depth) * water.velocity);
+                const LongWaves& waves = end == 0 ? sections().upstream() : sections().downstream();
+                return sections().start(depth, waves.area(depth) * water.velocity, end == 0);
             };
             state.upstream = section(0);
             state.downstream = section(1);
@@ -187,7 +188,7 @@ class OpenEnds final : public Component<D, Real> {
             state.upstream = sections().start(depth(0.0) - profiles_.floors().upstream, q);
             state.upstream.depth = std::max(state.upstream.depth, lattice_.dz);
             state.downstream =
-                sections().start(std::max(0.0, depth(length_) - profiles_.floors().downstream), q);
+                sections().start(std::max(0.0, depth(length_) - profiles_.floors().downstream), q, false);
         }
         profiles_.begin_leaving(state);
         streams_.begin(state, streams_.rows_for(state.upstream.depth), 0.5 * lattice_.dx);
@@ -218,8 +219,8 @@ class OpenEnds final : public Component<D, Real> {
     /// -dU/dx of the water beyond an end, 1/s. It rises and falls with a tailwater that changes: where what
     /// goes on along it did not change by as much, its rows would be drawn apart and pressed together, and a
     /// tide would bring too little water in.
-    [[nodiscard]] double spreading(const EndState& end) const {
-        return follows_tide_ ? end.depth_rate / std::max(end.depth, lattice_.dz) : 0.0;
+    [[nodiscard]] double spreading(const EndState& end, bool entering) const {
+        return follows_tide_ ? end.depth_rate * profiles_.widening(end, entering) : 0.0;
     }
 
     /// In its stream, that is straight; the motions across it begin within one support of the channel, over
@@ -233,10 +234,10 @@ class OpenEnds final : public Component<D, Real> {
         Vec<D> u{};
         u[0] = end.velocity * relative[0] / profiles_.entering_mean() +
                sound_.velocity_of(0, sound_at(flow, i, true));
-        u[0] -= flow.particles.position[0][i] * spreading(end);
+        u[0] -= flow.particles.position[0][i] * spreading(end, true);
         if constexpr (D == 3) u[1] = grown * end.velocity * relative[1] / profiles_.entering_mean();
-        u[Flow::vertical] =
-            place * end.depth_rate + grown * end.velocity * relative[2] / profiles_.entering_mean();
+        u[Flow::vertical] = profiles_.rise(flow, i, end, true) +
+                            grown * end.velocity * relative[2] / profiles_.entering_mean();
         return u;
     }
 
@@ -258,18 +259,11 @@ class OpenEnds final : public Component<D, Real> {
     /// The velocity of the section at the outflow at the height of a particle.
     [[nodiscard]] Vec<D> leaving_section(const Flow& flow, std::size_t i) const {
         const EndState& end = flow.clock.open_ends.downstream;
-        const double place = place_at_outflow(flow, i);
         Vec<D> u{};
         u[0] = profiles_.leaving_velocity(flow, i);
-        u[0] -= (flow.particles.position[0][i] - length_) * spreading(end);
-        u[Flow::vertical] = place * end.depth_rate;
+        u[0] -= (flow.particles.position[0][i] - length_) * spreading(end, false);
+        u[Flow::vertical] = profiles_.rise(flow, i, end, false);
         return u;
-    }
-
-    /// Height of a particle over the depth at the outflow, where no water may be or a drop of it.
-    [[nodiscard]] double place_at_outflow(const Flow& flow, std::size_t i) const {
-        return profiles_.over_floor(flow, i, false) /
-               std::max(flow.clock.open_ends.downstream.depth, lattice_.dz);
     }
 
     /// f(particle, lane, whether it enters) for the particles of a block that stand in a buffer, or fall
@@ -315,8 +309,8 @@ class OpenEnds final : public Component<D, Real> {
             if (hat > 0.0) volume += hat * p.mass[i] / (1.0 + p.density_deviation[i]);
         }
         const double width = flow.c.channel.flow_width();
-        const double due =
-            flow.scheme.density * half * width * sections().waves().area(flow.clock.open_ends.upstream.depth);
+        const double due = flow.scheme.density * half * width *
+                           sections().upstream().area(flow.clock.open_ends.upstream.depth);
         return volume > 0.0 && std::abs(volume - due) > most * due;
     }
 
@@ -351,9 +345,9 @@ class OpenEnds final : public Component<D, Real> {
         const double depth = std::max(state.downstream.depth, lattice_.dz);
         const EndRows behind{
             .rows = streams_.rows_for(depth), .depth = depth, .floor = profiles_.floors().downstream};
-        add(gaps_behind_outflow(flow.particles, lattice_, streams_, behind, length_, support_,
-                                flow.scheme.density,
-                                sections().waves().area(depth) * flow.c.channel.flow_width()),
+        add(gaps_behind_outflow(flow.particles, lattice_, streams_, profiles_.downstream(), behind, length_,
+                                support_, flow.scheme.density,
+                                sections().downstream().area(depth) * flow.c.channel.flow_width()),
             false, [&](std::size_t i) { return leaving_section(flow, i); });
     }
 

@@ -9,6 +9,8 @@
 #include "base/interpolation.hpp"
 #include "case/cross_section.hpp"
 #include "column/canal_channel.hpp"
+#include "ends/end_lattice.hpp"
+#include "hydraulics/lateral_profile.hpp"
 
 namespace riffle::inline ends {
 
@@ -67,20 +69,53 @@ double CanalFlowProfile::mean_at(double y, double place) const {
     return strip.in(velocity_)*law_(std::max(place * depth_ - bed, least_height_), water);
 }
 
+namespace {
+
+/// The bed across the channel at the inflow and the depth-mean velocities over it, as far as their ratio
+/// goes.
+struct AcrossInflow {
+    std::vector<double> bed;       ///< over where depths count from, m
+    std::vector<double> velocity;  ///< m/s
+    double friction_velocity = 0.0;
+};
+
+/// Over measured heights nothing tells the friction of uniform flow; the ratio of the velocities is that of a
+/// slope of one in a thousand over the roughness of the law that enters.
+AcrossInflow over_heights(const Case& c, double depth) {
+    const Lattice lattice = lattice_of(c);
+    const EndLattice places(c, lattice, place_of_end(c, true));
+    AcrossInflow across;
+    std::vector<LateralStrip> strips;
+    for (int file = 0; file < lattice.files; ++file) {
+        across.bed.push_back(places.floor_of(file));
+        strips.push_back({std::max(0.0, depth - across.bed.back()), 1.0});
+    }
+    constexpr double slope = 1e-3;
+    across.velocity = lateral_profile(strips, lattice.dy, c.fluid.gravity * slope,
+                                      c.inflow.equivalent_roughness, c.fluid.kinematic_viscosity);
+    return across;
+}
+
+AcrossInflow over_section(const Case& c, double unit_discharge, double depth) {
+    SectionStrips strips = section_strips(c, *section_of(c), depth, strips_across);
+    AcrossInflow across{std::move(strips.bed), std::vector<double>(strips_across, 1.0), 0.0};
+    if (canal_of(c) == nullptr || !(unit_discharge > 0.0)) return across;
+    const SteadyChannel channel = canal_channel(c, unit_discharge);
+    const double slope = channel.state(std::max(depth, channel.least_depth)).friction_slope;
+    across.velocity = canal_velocities(c, strips, slope);
+    across.friction_velocity = std::sqrt(c.fluid.gravity * slope * channel.section->hydraulic_radius(depth));
+    return across;
+}
+
+}  // namespace
+
 std::shared_ptr<const EnteringFlow> canal_entering(const Case& c, double unit_discharge, double depth) {
     const double width = c.channel.simulated_width();
     const Inflow& inflow = c.inflow;
     if (inflow.profile == InflowProfile::uniform) return std::make_shared<const ProfileFlow>(VelocityShape{});
     const Solid* const canal = canal_of(c);
-    SectionStrips strips = section_strips(c, *section_of(c), depth, strips_across);
-    std::vector<double> velocity(strips_across, 1.0);  // nothing tells it without a friction
-    double friction_velocity = 0.0;
-    if (canal != nullptr && unit_discharge > 0.0) {
-        const SteadyChannel channel = canal_channel(c, unit_discharge);
-        const double slope = channel.state(std::max(depth, channel.least_depth)).friction_slope;
-        velocity = canal_velocities(c, strips, slope);
-        friction_velocity = std::sqrt(c.fluid.gravity * slope * channel.section->hydraulic_radius(depth));
-    }
+    AcrossInflow across =
+        section_of(c) != nullptr ? over_section(c, unit_discharge, depth) : over_heights(c, depth);
     CanalFlowProfile::Law law;
     switch (inflow.profile) {
         case InflowProfile::power_law:
@@ -96,12 +131,14 @@ std::shared_ptr<const EnteringFlow> canal_entering(const Case& c, double unit_di
         case InflowProfile::file:
         case InflowProfile::results:
         case InflowProfile::uniform:
-            law = log_law_over(canal->equivalent_roughness, c.fluid.kinematic_viscosity, friction_velocity);
+            law = log_law_over(canal->equivalent_roughness, c.fluid.kinematic_viscosity,
+                               across.friction_velocity);
             break;
     }
     constexpr double least = 0.25;  // of a row
-    return std::make_shared<const CanalFlowProfile>(
-        width, depth, least * c.numerics.spacing, std::move(strips.bed), std::move(velocity), std::move(law));
+    return std::make_shared<const CanalFlowProfile>(width, depth, least * c.numerics.spacing,
+                                                    std::move(across.bed), std::move(across.velocity),
+                                                    std::move(law));
 }
 
 }  // namespace riffle::inline ends

@@ -7,9 +7,11 @@
 #include <vector>
 
 #include "base/error.hpp"
+#include "case/cross_section.hpp"
 #include "case/end_levels.hpp"
 #include "case/units.hpp"
 #include "case/words.hpp"
+#include "ends/end_lattice.hpp"
 #include "laboratory/profile_record.hpp"
 
 namespace riffle::inline ends {
@@ -28,8 +30,8 @@ Holding holding_of(const Case& c) {
     switch (outflow.kind) {
         case OutflowKind::depth:
             if (outflow.depth_file.empty()) {
-                // One depth with one discharge is refused with the case.
-                if (c.inflow.discharge_file.empty()) return {};
+                // One depth with one discharge is refused with the case, but over measured heights.
+                if (c.inflow.discharge_file.empty() && measured_bed_of(c) == nullptr) return {};
                 return {"[outflow] depth: it", "make it deeper", false};
             }
             return {outflow.depth_file.string() + ": it", "make it deeper", true};
@@ -73,20 +75,22 @@ constexpr double nearly_critical = 1e-3;  // of the critical depth
 }  // namespace
 
 void require_supercritical_inflow(const Case& c, const EndInput& input, double floor) {
-    // One depth with one discharge is refused with the case.
-    const bool by_file = !c.inflow.discharge_file.empty() || !c.inflow.depth_file.empty();
+    // One depth with one discharge is refused with the case, but over measured heights.
+    const bool by_file =
+        !c.inflow.discharge_file.empty() || !c.inflow.depth_file.empty() || measured_bed_of(c) != nullptr;
     if (!by_file || !input.unit_discharge || !input.inflow_depth) return;
+    const LongWaves waves = waves_of(c, true);
     for (const double time : times_to_look_at(c, input)) {
         const double depth = input.inflow_depth->at(time);
         const double discharge = input.unit_discharge->at(time);
-        const double critical = critical_depth_of(c, discharge);
+        const double critical = waves.critical_depth(discharge);
         if (depth <= (1.0 + nearly_critical) * critical) continue;
         const auto level = [&](double over_floor) { return shown_length(over_floor + floor - c.datum()); };
         throw FileError(fmt::format(
             "{}: at t = {:.4g} s the depth of {} is above the critical one of the discharge of {:.4g} m2/s, {}: "
             "subcritical flow takes one of depth and discharge from downstream; remove one of them from [inflow], and "
             "the other follows, or give depths at which the water shoots at all times of the run",
-            (c.inflow.depth_file.empty() ? c.inflow.discharge_file : c.inflow.depth_file).string(), time,
+            !c.inflow.depth_file.empty() ? c.inflow.depth_file.string() : source_of_discharge(c), time,
             level(depth), discharge, level(critical)));
     }
 }
@@ -112,8 +116,9 @@ void require_subcritical_outflow(const Case& c, const EndInput& input, double fl
     const Holding holding = holding_of(c);
     if (holding.what.empty() || !input.unit_discharge || !input.outflow_depth) return;
     std::vector<double> times = times_to_look_at(c, input);
+    const LongWaves waves = waves_of(c, false);
     const auto critical_at = [&](double time) {
-        return critical_depth_of(c, input.unit_discharge->at(time));
+        return waves.critical_depth(input.unit_discharge->at(time));
     };
     const auto held_at = [&](double time) {
         return input.outflow_depth(input.unit_discharge->at(time), time);

@@ -32,11 +32,12 @@ std::vector<std::string> EndEvents::news(const OpenEndsState& ends, double time)
     };
 
     const EndState& out = ends.downstream;
-    const bool is_wet = out.watched_depth > wet_again * least_depth_;
+    const double watched = out.watched_depth - waves_.lowest();
+    const bool is_wet = watched > wet_again * least_depth_;
     const bool was_wetted = wetted_;
     wetted_ = wetted_ || is_wet;
     change(
-        dry_, (wetted_ || holds_) && out.watched_depth < least_depth_, is_wet,
+        dry_, (wetted_ || holds_) && watched < least_depth_, is_wet,
         [&] {
             return wetted_
                        ? fmt::format(
@@ -66,7 +67,8 @@ std::vector<std::string> EndEvents::news(const OpenEndsState& ends, double time)
 
     const EndState& in = ends.upstream;
     change(
-        drowned_, in.velocity > wave_speed(waves_, in.depth) && in.watched_depth > drowned_share * in.depth,
+        drowned_,
+        in.velocity > wave_speed(upstream_, in.depth) && in.watched_depth > drowned_share * in.depth,
         in.watched_depth < shooting_share * in.depth,
         [&] {
             return fmt::format(

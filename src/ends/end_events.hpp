@@ -19,10 +19,16 @@ inline constexpr double drowned_share = 1.5;
 /// that it happens.
 class EndEvents {
   public:
-    /// `waves`: of the cross-section of the ends; `least_depth`: that of a film or a drop, m; `holds`:
+    /// Waves of the cross-sections of the ends; `least_depth`: that of a film or a drop, m; `holds`:
     /// whether the case gives the depth at the outflow.
-    EndEvents(LongWaves waves, double least_depth, bool holds)
-        : waves_(std::move(waves)), least_depth_(least_depth), holds_(holds) {}
+    EndEvents(LongWaves upstream, LongWaves downstream, double least_depth, bool holds)
+        : upstream_(std::move(upstream)),
+          waves_(std::move(downstream)),
+          least_depth_(least_depth),
+          holds_(holds) {}
+    /// The same section at both ends.
+    EndEvents(const LongWaves& waves, double least_depth, bool holds)
+        : EndEvents(waves, waves, least_depth, holds) {}
 
     /// Go on with ends that have been restored: what lasts there has been told.
     void go_on(const OpenEndsState& ends);
@@ -36,7 +42,8 @@ class EndEvents {
         int times = 0;
     };
 
-    LongWaves waves_;
+    LongWaves upstream_;
+    LongWaves waves_;  ///< at the outflow
     double least_depth_;
     bool holds_;
     bool wetted_ = false;  ///< there has been water at the outflow

@@ -9,9 +9,9 @@
 #include "case/end_floor.hpp"
 #include "case/end_levels.hpp"
 #include "case/flow_kind.hpp"
-#include "column/canal_channel.hpp"
 #include "column/twin_channel.hpp"
 #include "column/uniform_rating.hpp"
+#include "ends/end_lattice.hpp"
 
 namespace riffle::inline ends {
 
@@ -21,18 +21,17 @@ namespace {
 /// flow is supercritical: that of uniform flow over the faster bed of both ends, without the side walls'
 /// drag; where nothing holds the water back, neither bed nor outflow, that of its free fall along the
 /// channel. Infinite on a mild slope.
-double shooting_depth(const Case& c, double q) {
-    const double critical = critical_depth_of(c, q);
+double shooting_depth(const Case& c, const LongWaves& waves, double q) {
+    const double critical = waves.critical_depth(q);
     double depth = std::numeric_limits<double>::infinity();
     if (!(c.streamwise_gravity() > 0.0) || !(q > 0.0)) return depth;
     if (canal_of(c) != nullptr) {
         return uniform_discharge_at(c, critical) > q ? UniformRating(c).depth(q) : depth;
     }
-    if (const Solid* const solid = section_of(c)) {
-        const auto section = shape_of_section(c, *solid);
-        const double begin = q / section->area(critical);
+    if (!waves.in_rectangle()) {
+        const double begin = q / waves.area(critical);
         const double fall = 2.0 * c.streamwise_gravity() * c.channel.length;
-        return section->depth_of_area(q / std::sqrt(begin * begin + fall));
+        return waves.depth_of_area(q / std::sqrt(begin * begin + fall));
     }
     for (const double place : {0.0, c.channel.length}) {
         Case bed = with_bed_at(c, place);
@@ -77,12 +76,13 @@ EndExtremes end_extremes(const Case& c, const EndInput& input) {
         least_depth = std::min(least_depth, depth);
     }
     // Water that rises to carry a flood moves no faster than critical flow, unless it comes in so.
-    const double critical = critical_depth_of(c, q);
+    const LongWaves waves = waves_of(c);
+    const double critical = waves.critical_depth(q);
     extremes.depth = std::max(extremes.depth, floor + critical);
-    const double shallow =
-        input.inflow_depth ? least_depth : std::min(std::max(least_depth, critical), shooting_depth(c, q));
-    const Solid* const solid = section_of(c);
-    const double area = solid != nullptr ? mean_depth_over(c, cross_section(c, *solid), shallow) : shallow;
+    const double shallow = input.inflow_depth
+                               ? least_depth
+                               : std::min(std::max(least_depth, critical), shooting_depth(c, waves, q));
+    const double area = waves.area(shallow);
     extremes.velocity =
         std::max(area > 0.0 ? input.entering->largest() * q / area : 0.0, c.start.velocity.value_or(0.0));
     return extremes;

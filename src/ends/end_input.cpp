@@ -23,6 +23,7 @@
 #include "column/uniform_rating.hpp"
 #include "ends/canal_entering.hpp"
 #include "ends/end_checks.hpp"
+#include "ends/end_lattice.hpp"
 #include "ends/end_relaxation.hpp"
 #include "ends/flow_of_results.hpp"
 #include "ends/narrowest_opening.hpp"
@@ -94,7 +95,7 @@ std::shared_ptr<const EnteringFlow> entering_flow(const Case& c,
                                                   const std::optional<TimeTable>& unit_discharge,
                                                   double floor) {
     const double depth = c.total_depth() - floor;
-    if (section_of(c) != nullptr) {
+    if (section_of(c) != nullptr || measured_bed_of(c) != nullptr) {
         const bool is_canal = canal_of(c) != nullptr;
         return canal_entering(c, is_canal ? twin_discharge(c, unit_discharge, depth) : 0.0, depth);
     }
@@ -188,9 +189,7 @@ std::function<double(double, double)> outflow_rule(const Case& c, const std::opt
             };
         }
         case OutflowKind::critical_depth:
-            return [of = std::make_shared<const Case>(c)](double q, double) {
-                return critical_depth_of(*of, q);
-            };
+            return [waves = waves_of(c, false)](double q, double) { return waves.critical_depth(q); };
         case OutflowKind::weir:
             return [g, crest = outflow.weir_height + datum - floor, cd = outflow.weir_coefficient](
                        double q, double) { return crest + weir_head(g, cd, q); };
@@ -253,7 +252,9 @@ EndInput read_end_levels(const Case& c) {
                          input.inflow_depth->largest() + floors.upstream);
         }
     } else if (!c.inflow.discharge_file.empty() && !is_duct(c)) {
-        const double critical = critical_depth_of(c, input.unit_discharge->largest());
+        const double q = input.unit_discharge->largest();
+        const double critical =
+            std::max(waves_of(c, true).critical_depth(q), waves_of(c, false).critical_depth(q));
         require_room(c, c.inflow.discharge_file.string(), "critical flow with its largest discharge is",
                      critical + std::max(floors.upstream, floors.downstream));
     }

@@ -7,17 +7,17 @@
 #include "case/cross_section.hpp"
 #include "case/end_levels.hpp"
 #include "case/solid_mesh.hpp"
+#include "column/canal_channel.hpp"
 
 namespace riffle::inline ends {
 
-EndLattice::EndLattice(const Case& c, const Lattice& lattice) {
-    const Solid* const section = section_of(c);
-    if (section == nullptr) return;
+EndLattice::EndLattice(const Case& c, const Lattice& lattice, double x) {
+    const Solid* const bed = section_of(c) != nullptr ? section_of(c) : measured_bed_of(c);
+    if (bed == nullptr) return;
     files_ = static_cast<std::size_t>(lattice.files);
     const auto meshes = meshes_of(c);
-    const SolidMesh& mesh = (*meshes)[static_cast<std::size_t>(section - c.solids.data())];
+    const SolidMesh& mesh = (*meshes)[static_cast<std::size_t>(bed - c.solids.data())];
     const int rows = std::max(2, static_cast<int>(std::ceil(level_with_room(c) / lattice.dz)));
-    const double x = lattice.x(0, 0);
     std::vector<double> depth{0.0};
     std::vector<double> width;
     floor_.assign(files_, lattice.z(rows - 1));
@@ -31,8 +31,17 @@ EndLattice::EndLattice(const Case& c, const Lattice& lattice) {
             double& floor = floor_[static_cast<std::size_t>(file)];
             floor = std::min(floor, row * lattice.dz);
         }
+        if (wet == 0 && width.empty()) {
+            lowest_ = (row + 1) * lattice.dz;  // no water as low as that
+            continue;
+        }
         width.push_back(wet / static_cast<double>(files_));
-        depth.push_back(lattice.z(row));
+        depth.push_back(lattice.z(row) - lowest_);
+    }
+    if (width.empty()) {
+        // All of it stands above the water: as if a row began there.
+        width.push_back(1.0);
+        depth.push_back(0.5 * lattice.dz);
     }
     // From the floor to the middle of the lowest row it is as wide as that.
     width.insert(width.begin(), width.front());
@@ -51,8 +60,15 @@ double EndLattice::floor_of(int file) const {
     return is_rectangle() ? 0.0 : floor_[static_cast<std::size_t>(file)];
 }
 
-LongWaves waves_of_lattice(const Case& c) {
-    return {c.normal_gravity(), EndLattice(c, lattice_of(c)).shape()};
+LongWaves waves_of_lattice(const Case& c, bool at_inflow) {
+    const EndLattice places(c, lattice_of(c), place_of_end(c, at_inflow));
+    return {c.normal_gravity(), places.shape(), places.lowest()};
+}
+
+LongWaves waves_of(const Case& c, bool at_inflow) {
+    if (const Solid* const section = section_of(c))
+        return {c.normal_gravity(), shape_of_section(c, *section)};
+    return measured_bed_of(c) != nullptr ? waves_of_lattice(c, at_inflow) : LongWaves(c.normal_gravity());
 }
 
 }  // namespace riffle::inline ends

@@ -18,7 +18,7 @@ class EndLattice {
   public:
     /// All of them, in any number of rows.
     EndLattice() = default;
-    EndLattice(const Case& c, const Lattice& lattice);
+    EndLattice(const Case& c, const Lattice& lattice, double x);
 
     [[nodiscard]] bool is_rectangle() const { return shape_ == nullptr; }
     /// Whether water may stand in a row and a file; rows above those that were looked at are as the last one.
@@ -26,17 +26,28 @@ class EndLattice {
     /// Height of the water's lowest place in a file over that of the section, m; that of the highest row
     /// where it has none.
     [[nodiscard]] double floor_of(int file) const;
-    /// The section as those places fill it; null of a rectangle.
+    /// The section as those places fill it, whose lowest point is lowest() over z = 0; null of a rectangle.
     [[nodiscard]] const std::shared_ptr<const SectionShape>& shape() const { return shape_; }
+    [[nodiscard]] double lowest() const { return lowest_; }
 
   private:
     std::size_t files_ = 0;
     std::vector<std::uint8_t> holds_;  ///< by rows, within them by files
     std::vector<double> floor_;        ///< by file
     std::shared_ptr<const SectionShape> shape_;
+    double lowest_ = 0.0;
 };
 
-/// Waves over the section of a case with open ends as its lattice fills it: those that rule its ends.
-[[nodiscard]] LongWaves waves_of_lattice(const Case& c);
+/// A place beyond an end of a channel, m along it.
+[[nodiscard]] inline double place_of_end(const Case& c, bool at_inflow) {
+    return at_inflow ? -0.5 * c.numerics.spacing : c.channel.length + 0.5 * c.numerics.spacing;
+}
+
+/// Waves over the section of a case with open ends, at one of them, as its lattice fills it: those that rule
+/// its ends. Depths count from z = 0.
+[[nodiscard]] LongWaves waves_of_lattice(const Case& c, bool at_inflow = true);
+
+/// The same over a section as it is drawn; of measured heights as the lattice fills it.
+[[nodiscard]] LongWaves waves_of(const Case& c, bool at_inflow = true);
 
 }  // namespace riffle::inline ends

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <limits>
 
-#include "ends/long_waves.hpp"
+#include "ends/end_lattice.hpp"
 
 namespace riffle::inline ends {
 

@@ -13,25 +13,31 @@ namespace riffle::inline ends {
 class EndSections {
   public:
     /// `least_depth`: below it the water at an end is a film or a drop, m.
-    EndSections(EndInput input, LongWaves waves, double sound_speed, double least_depth)
+    EndSections(EndInput input, LongWaves upstream, LongWaves downstream, double sound_speed,
+                double least_depth)
         : input_(std::move(input)),
-          waves_(std::move(waves)),
+          upstream_(std::move(upstream)),
+          downstream_(std::move(downstream)),
           sound_speed_(sound_speed),
           least_depth_(least_depth) {}
+    /// The same section at both ends.
+    EndSections(EndInput input, const LongWaves& waves, double sound_speed, double least_depth)
+        : EndSections(std::move(input), waves, waves, sound_speed, least_depth) {}
 
     [[nodiscard]] const EndInput& input() const { return input_; }
-    /// Waves of the cross-section of the ends.
-    [[nodiscard]] const LongWaves& waves() const { return waves_; }
+    /// Waves of the cross-sections of the ends.
+    [[nodiscard]] const LongWaves& upstream() const { return upstream_; }
+    [[nodiscard]] const LongWaves& downstream() const { return downstream_; }
     /// Whether the ends are those of a duct.
     [[nodiscard]] bool in_duct() const { return input_.duct; }
     /// Speed of the waves that reach the ends, m/s: long waves of a depth, or sound in a duct.
     [[nodiscard]] double signal_speed(double depth) const {
-        return in_duct() ? sound_speed_ : wave_speed(waves_, depth);
+        return in_duct() ? sound_speed_ : wave_speed(upstream_, depth);
     }
 
     /// The state of an end where the start has a depth (m) and carries a discharge (m2/s over the width of
     /// the channel).
-    [[nodiscard]] EndState start(double depth, double unit_discharge) const;
+    [[nodiscard]] EndState start(double depth, double unit_discharge, bool at_inflow = true) const;
     /// The section at the inflow after a step of dt (s), from what is watched beside it.
     void follow_upstream(EndState& end, double time, double dt) const;
     /// The same at the outflow.
@@ -44,7 +50,8 @@ class EndSections {
     [[nodiscard]] Section section_of_discharge(const EndState& end, double time, double dt) const;
 
     EndInput input_;
-    LongWaves waves_;
+    LongWaves upstream_;
+    LongWaves downstream_;
     double sound_speed_;
     double least_depth_;
 };

@@ -17,7 +17,7 @@
 #include "column/twin_reaches.hpp"
 #include "column/uniform_rating.hpp"
 #include "ends/end_input.hpp"
-#include "ends/long_waves.hpp"
+#include "ends/end_lattice.hpp"
 #include "hydraulics/varied_reaches.hpp"
 #include "laboratory/profile_record.hpp"
 
@@ -35,12 +35,12 @@ void widen(std::optional<Extremes>& extremes, double value) {
 /// only the normal depth is the twin's. Depths are those of all the water over what it stands on, m.
 class BedFlow {
   public:
-    explicit BedFlow(Case c)
+    BedFlow(Case c, bool at_inflow)
         : case_(std::move(c)),
           has_section_(has_section_reach(case_)),
           has_twin_(!is_duct(case_) && channel_or_walls_resist(case_) && !resolves_eddies(case_) &&
                     (has_section_ || has_column_reach(case_))),
-          waves_(waves_of(case_)) {}
+          waves_(waves_of(case_, at_inflow)) {}
 
     [[nodiscard]] bool has_channel() const { return has_twin_ && !has_section_; }
     [[nodiscard]] const SteadyChannel& channel(double q) {
@@ -64,7 +64,7 @@ class BedFlow {
             const double depth = critical_depth(channel(q));
             if (depth > 0.0) return depth + case_.datum();
         }
-        return critical_depth_of(case_, q);
+        return waves_.critical_depth(q);
     }
 
     [[nodiscard]] std::optional<double> normal(double q) {
@@ -231,9 +231,11 @@ DepthSource source_of_outflow(const Case& c, const EndInput& input, bool has_flo
 FlowAtEnds flow_at_ends(const Case& c) {
     const EndInput input = read_end_levels(c);
     const EndFloors floors = end_floors(c);
-    BedFlow bed(with_bed_at(c, 0.0));
+    BedFlow bed(with_bed_at(c, 0.0), true);
     std::optional<BedFlow> other;
-    BedFlow& bed_at_outflow = c.bed_patches.empty() ? bed : other.emplace(with_bed_at(c, c.channel.length));
+    BedFlow& bed_at_outflow = c.bed_patches.empty() && measured_bed_of(c) == nullptr
+                                  ? bed
+                                  : other.emplace(with_bed_at(c, c.channel.length), false);
     FlowAtEnds states;
     states.gives_discharge = input.unit_discharge.has_value();
     states.inflow.floor = floors.upstream > 0.0 ? floors.upstream - c.datum() : 0.0;

@@ -3,7 +3,6 @@
 #include <memory>
 #include <utility>
 
-#include "case/case.hpp"
 #include "hydraulics/section_shape.hpp"
 
 namespace riffle::inline ends {
@@ -16,16 +15,20 @@ class LongWaves {
   public:
     /// Of a rectangle; `gravity` normal to the bed, m/s2.
     LongWaves(double gravity) : gravity_(gravity) {}  // a gravity is all that they are of
-    /// Of a section; null: of a rectangle.
-    LongWaves(double gravity, std::shared_ptr<const SectionShape> section)
-        : gravity_(gravity), section_(std::move(section)) {}
+    /// Of a section, null: of a rectangle, whose lowest point is `lowest` (m) above where depths count from.
+    LongWaves(double gravity, std::shared_ptr<const SectionShape> section, double lowest = 0.0)
+        : gravity_(gravity), section_(std::move(section)), lowest_(lowest) {}
 
     [[nodiscard]] double gravity() const { return gravity_; }
     [[nodiscard]] bool in_rectangle() const { return section_ == nullptr; }
+    /// Depth at which there is no water, m.
+    [[nodiscard]] double lowest() const { return lowest_; }
     /// Area of the water over the width of the channel, m.
-    [[nodiscard]] double area(double depth) const { return section_ ? section_->area(depth) : depth; }
+    [[nodiscard]] double area(double depth) const {
+        return section_ ? section_->area(depth - lowest_) : depth;
+    }
     [[nodiscard]] double depth_of_area(double area) const {
-        return section_ ? section_->depth_of_area(area) : area;
+        return section_ ? lowest_ + section_->depth_of_area(area) : area;
     }
     /// c, m/s.
     [[nodiscard]] double speed(double depth) const;
@@ -42,9 +45,7 @@ class LongWaves {
   private:
     double gravity_;
     std::shared_ptr<const SectionShape> section_;
+    double lowest_ = 0.0;
 };
-
-/// Those over the bed of a case with open ends, or over its cross-section as it is drawn.
-[[nodiscard]] LongWaves waves_of(const Case& c);
 
 }  // namespace riffle::inline ends

@@ -5,7 +5,7 @@
 #include "case/end_floor.hpp"
 #include "case/flow_kind.hpp"
 #include "ends/end_input.hpp"
-#include "ends/long_waves.hpp"
+#include "ends/end_lattice.hpp"
 
 namespace riffle::inline ends {
 

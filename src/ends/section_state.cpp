@@ -13,7 +13,7 @@ double invariant_of_critical_flow(const LongWaves& waves, double going) {
     if (going <= 0.0) return -going;
     if (waves.in_rectangle()) return -going / 3.0;
     const auto surplus = [&](double depth) { return waves.speed(depth) + waves.invariant(depth) - going; };
-    const double depth = root_between(surplus, 0.0, waves.depth_of_invariant(going));
+    const double depth = root_between(surplus, waves.lowest(), waves.depth_of_invariant(going));
     return waves.speed(depth) - waves.invariant(depth);
 }
 
@@ -49,8 +49,9 @@ double depth_in_section(const LongWaves& waves, double unit_discharge, double co
     if (!(unit_discharge > 0.0)) return waves.depth_of_invariant(-coming);
     const double critical = waves.critical_depth(unit_discharge);
     if (excess(critical) <= 0.0) return critical;
-    double high = 2.0 * critical;
-    while (excess(high) > 0.0) high *= 2.0;
+    double rise = critical - waves.lowest();
+    while (excess(critical + rise) > 0.0) rise *= 2.0;
+    const double high = critical + rise;
     return root_between(excess, critical, high);
 }
 

@@ -88,7 +88,8 @@ RunSession<D>::RunSession(Case c, RunOptions options, const FolderLock& lock)
     relaxation_time_ = tested_relaxation_time(case_, twins_).value_or(0.0);
     convergence_.reason = is_tested() ? "not yet tested for convergence" : reason_without_test(case_);
     if (case_.channel.ends == Ends::open && !is_duct(case_)) {
-        end_events_.emplace(waves_of(case_), lattice_of(case_).dz, case_.outflow.kind == OutflowKind::depth);
+        end_events_.emplace(waves_of(case_, true), waves_of(case_, false), lattice_of(case_).dz,
+                            case_.outflow.kind == OutflowKind::depth);
     }
 }
 

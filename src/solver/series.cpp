@@ -167,10 +167,20 @@ Totals all_sums(const SimulationIn<D>& simulation, const Case& c) {
 
 }  // namespace
 
+namespace {
+
+/// Waves over the section of an open end.
+LongWaves waves_at(const Case& c, bool at_inflow) {
+    return c.channel.ends == Ends::open ? waves_of_lattice(c, at_inflow) : LongWaves(c.normal_gravity());
+}
+
+}  // namespace
+
 TimeSeries::TimeSeries(const Case& c)
     : case_(c),
       end_floors_(end_floors(c)),
-      end_waves_(c.channel.ends == Ends::open ? waves_of_lattice(c) : LongWaves(c.normal_gravity())) {
+      upstream_waves_(waves_at(c, true)),
+      downstream_waves_(waves_at(c, false)) {
     for (const Field& field : fields_of(fields::time_series)) {
         const bool written = (field.written & three_dimensions) == 0 || c.channel.dimensions == 3;
         const bool grown = (field.written & with_vegetation) == 0 || !c.vegetation.empty();
@@ -211,9 +221,10 @@ void TimeSeries::sample_ends(const SimulationIn<D>& simulation) {
     const double width = case_.channel.flow_width();
     const auto add = [&](const Field& field, double value) { values_of(field).push_back(value); };
     const auto& series = fields::time_series;
-    add(series.inflow_discharge, width * end_waves_.area(ends.upstream.depth) * ends.upstream.velocity);
+    add(series.inflow_discharge, width * upstream_waves_.area(ends.upstream.depth) * ends.upstream.velocity);
     add(series.inflow_depth, end_floors_.upstream + ends.upstream.depth);
-    add(series.outflow_discharge, width * end_waves_.area(ends.downstream.depth) * ends.downstream.velocity);
+    add(series.outflow_discharge,
+        width * downstream_waves_.area(ends.downstream.depth) * ends.downstream.velocity);
     add(series.outflow_depth, end_floors_.downstream + ends.downstream.depth);
     add(series.particles_stored, static_cast<double>(p.size()));
     add(series.particles_entered, static_cast<double>(ends.ledger.entered));

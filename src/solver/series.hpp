@@ -43,7 +43,8 @@ class TimeSeries {
 
     Case case_;
     EndFloors end_floors_;
-    LongWaves end_waves_;  ///< of the section of open ends
+    LongWaves upstream_waves_;  ///< of the sections of open ends
+    LongWaves downstream_waves_;
     std::vector<SeriesColumn> columns_;
 };
 

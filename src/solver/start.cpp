@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <vector>
 
 #include "base/error.hpp"
 #include "case/cross_section.hpp"
@@ -16,6 +17,7 @@
 #include "column/canal_flow.hpp"
 #include "column/section.hpp"
 #include "ends/end_input.hpp"
+#include "ends/end_lattice.hpp"
 #include "particles/lattice.hpp"
 #include "solver/isotropic_start.hpp"
 #include "solver/start_packing.hpp"
@@ -119,7 +121,15 @@ class OpenStart {
           input_(read_end_input(c)),
           unit_discharge_(start_unit_discharge(c, input_)),
           depth(start_depths(c, input_)) {
-        if (const Solid* const solid = section_of(c)) section_ = cross_section(c, *solid);
+        if (section_of(c) != nullptr) {
+            waves_.push_back(waves_of(c));
+        } else if (measured_bed_of(c) != nullptr) {
+            for (int k = 0; k <= stations; ++k) {
+                const double at = c.channel.length * k / stations;
+                const EndLattice places(c, lattice_of(c), at);
+                waves_.emplace_back(c.normal_gravity(), places.shape(), places.lowest());
+            }
+        }
     }
 
     /// Pressure over the density that a duct starts with.
@@ -130,7 +140,7 @@ class OpenStart {
         const double floor = floor_at(c_, within_ends(x, c_.channel.length));
         const double water = std::max(depth(x) - floor, c_.numerics.spacing);
         const double z = height - floor;
-        const double area = section_ ? mean_depth_over(c_, *section_, water) : water;
+        const double area = area_at(x, water);
         const double mean = c_.start.velocity.value_or(unit_discharge_ / area);
         switch (c_.start.kind) {
             case StartKind::uniform:
@@ -157,7 +167,17 @@ class OpenStart {
     const Case& c_;
     EndInput input_;
     double unit_discharge_;
-    std::optional<CrossSection> section_;  ///< of a channel that is no rectangle
+    /// Sections of a channel that is no rectangle: one, or over measured heights those of stations along it.
+    std::vector<LongWaves> waves_;
+    static constexpr int stations = 100;
+
+    /// Area of the water at a place, over the width of the channel.
+    [[nodiscard]] double area_at(double x, double water) const {
+        if (waves_.empty()) return water;
+        const double along = waves_.size() > 1 ? std::clamp(x / c_.channel.length, 0.0, 1.0) * stations : 0.0;
+        return std::max(waves_[static_cast<std::size_t>(std::lround(along))].area(water),
+                        0.01 * c_.numerics.spacing);
+    }
 
   public:
     std::function<double(double x)> depth;  ///< of all the water, m

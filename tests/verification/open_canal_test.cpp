@@ -1,6 +1,9 @@
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
+#include <filesystem>
+#include <fstream>
 #include <memory>
 #include <string>
 #include <vector>
@@ -12,6 +15,7 @@
 #include "particles/lattice.hpp"
 #include "solver/simulation.hpp"
 #include "solver/start.hpp"
+#include "temporary_folder.hpp"
 
 // Canals with open ends, coarse enough for seconds: six rows over the depth.
 
@@ -66,7 +70,7 @@ TEST(OpenCanal, UniformFlowStaysUniform) {
     double level = 0.0;
     double discharge = 0.0;
     int samples = 0;
-    for (double time = 1.0; time < 2.0; time += 0.02) {
+    for (double time = 1.0; time < 1.6; time += 0.02) {
         run.advance_to(time);
         const EndState& out = run.ends().downstream;
         level += out.depth / depth;
@@ -118,6 +122,62 @@ TEST(OpenCanal, HasTheSameBitsForAnyNumberOfThreadsAndAfterARestore) {
         EXPECT_EQ(one.simulation->particles().velocity, other->simulation->particles().velocity);
         EXPECT_EQ(one.simulation->particles().id, other->simulation->particles().id);
     }
+}
+
+/// A valley of a sinuous bottom 60 mm wide with banks of one in one, 4 mm of waves in the middle of its
+/// length, and the bottom 6 mm over z = 0 upstream and 3 mm downstream, as a grid of 5 mm.
+std::string valley(const std::filesystem::path& folder) {
+    const std::filesystem::path file = folder / "valley.asc";
+    std::ofstream grid(file);
+    constexpr int columns = 95;
+    constexpr int rows = 40;
+    constexpr double cell = 0.005;
+    grid << "ncols " << columns << "\nnrows " << rows << "\nxllcenter -0.01\nyllcenter -0.01\ncellsize "
+         << cell << "\nNODATA_value -9999\n";
+    for (int row = rows; row-- > 0;) {
+        for (int column = 0; column < columns; ++column) {
+            const double x = -0.01 + cell * column;
+            const double y = -0.01 + cell * row;
+            const double bank = std::max(0.0, std::abs(y - 0.09) - 0.03);
+            const double waves =
+                0.004 * std::sin(52.0 * x) * std::cos(70.0 * y) * std::exp(-std::pow((x - 0.22) / 0.1, 2));
+            grid << std::max(0.0, bank + waves + 0.006 - 0.003 * std::clamp(x / 0.45, 0.0, 1.0)) << " ";
+        }
+        grid << "\n";
+    }
+    return file.string();
+}
+
+TEST(OpenCanal, ARiverFromMeasuredHeightsCarriesItsDischarge) {
+    const test::TemporaryFolder folder;
+    const double q = 0.0065;
+    CanalRun run(canal("heights = \"" + valley(folder.path()) +
+                           "\"\n[outflow]\nkind = \"depth\"\ndepth = 0.045\n" + inflow(q) +
+                           "profile = \"log-law\"\nequivalent_roughness = 0.001\n",
+                       "shape = \"bed\"\n"));
+    run.simulation->step();
+    const auto at_start = static_cast<std::int64_t>(run.simulation->particles().size());
+    const LongWaves up = waves_of_lattice(run.c, true);
+    const LongWaves down = waves_of_lattice(run.c, false);
+    EXPECT_GT(up.lowest(), 0.0);
+    EXPECT_GE(up.lowest(), down.lowest());
+    double entering = 0.0;
+    double leaving = 0.0;
+    int samples = 0;
+    for (double time = 0.6; time < 1.2; time += 0.02) {
+        run.advance_to(time);
+        const OpenEndsState& ends = run.ends();
+        entering += up.area(ends.upstream.depth) * ends.upstream.velocity / q;
+        leaving += down.area(ends.downstream.depth) * ends.downstream.velocity / q;
+        ++samples;
+    }
+    EXPECT_NEAR(entering / samples, 1.0, 0.01);
+    EXPECT_NEAR(leaving / samples, 1.0, 0.04);
+    EXPECT_NEAR(run.ends().downstream.depth, depth, 0.001);
+    const EndsLedger& ledger = run.ends().ledger;
+    EXPECT_EQ(static_cast<std::int64_t>(run.simulation->particles().size()),
+              at_start + ledger.entered - ledger.left);
+    EXPECT_TRUE(run.simulation->particles().lost.empty());
 }
 
 }  // namespace

@@ -9,6 +9,7 @@
 #include <numbers>
 
 #include "case/bed_surface.hpp"
+#include "case/end_buffers.hpp"
 #include "case/height_file.hpp"
 #include "case/solid_mesh.hpp"
 #include "case_test.hpp"
@@ -206,6 +207,37 @@ TEST(BedHeights, PeriodicEndsMustMeet) {
 }
 
 // The body is closed, stands under all of the channel, and encloses what lies below the heights.
+// Where water enters and leaves the bed is the same along the channel, as it is in the mean there, and a
+// little farther on it is that of the file.
+TEST(BedHeights, OpenEndsAreTheSameAlongTheChannel) {
+    const auto stones = [](double x, double y) {
+        return 6.0 + 0.02 * x + 0.1 * y + 2.0 * std::sin(1.3 * x) * std::cos(0.9 * y);
+    };
+    Case c = over(asc(120, 20, 2.0, stones));
+    c.channel.length = 0.24;
+    c.channel.ends = Ends::open;
+    const BedHeights bed = bed_heights(c, c.solids[0]);
+    const auto watched = static_cast<std::size_t>(std::lround(watched_stretch(c) / bed.step_x));
+    ASSERT_LT(2 * watched + 5, bed.columns / 2);
+    for (std::size_t row = 0; row <= bed.rows; ++row) {
+        const double y = 1e3 * bed.step_y * static_cast<double>(row);
+        for (std::size_t i = 0; i <= watched; ++i) {
+            EXPECT_NEAR(bed.at(i, row), bed.at(0, row), 1e-12);
+            EXPECT_NEAR(bed.at(bed.columns - i, row), bed.at(bed.columns, row), 1e-12);
+        }
+        // The stones are gone, and the slope across has stayed.
+        EXPECT_NEAR(1e3 * bed.at(0, row), 6.0 + 0.1 * y, 1.3) << y;
+    }
+    EXPECT_GT(bed.at(bed.columns, 10), bed.at(0, 10));  // each end has its own height
+    Case walls = c;
+    walls.channel.ends = Ends::walls;
+    const BedHeights file = bed_heights(walls, walls.solids[0]);
+    for (std::size_t row = 0; row <= bed.rows; ++row) {
+        EXPECT_EQ(bed.at(bed.columns / 2, row), file.at(bed.columns / 2, row));
+    }
+    EXPECT_THAT(bed.notes, testing::Contains(HasSubstr("made the same along the channel over")));
+}
+
 TEST(BedHeights, TheSurfaceIsClosedAndReachesBeyondTheChannel) {
     const Case c = over(asc(30, 20, 2.0, plane));
     const SolidMesh mesh(c, c.solids[0]);

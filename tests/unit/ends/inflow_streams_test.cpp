@@ -154,7 +154,7 @@ const char* const canal =
 TEST(EndLattice, HoldsTheWaterOfItsSection) {
     const Case c = parse_case(canal, "canal");
     const Lattice lattice = lattice_of(c);
-    const EndLattice places(c, lattice);
+    const EndLattice places(c, lattice, 0.0);
     ASSERT_FALSE(places.is_rectangle());
     const SectionShape& shape = *places.shape();
     for (const double depth : {0.01, 0.02, 0.028}) {
@@ -172,7 +172,7 @@ TEST(InflowStreams, TheDischargeOfACanalIsExact) {
     const Case c = parse_case(canal, "canal");
     const Lattice lattice = lattice_of(c);
     const InflowStreams streams(lattice.files, lattice.dx * lattice.dz, lattice.dz, edge,
-                                EndLattice(c, lattice));
+                                EndLattice(c, lattice, 0.0));
     OpenEndsState state;
     streams.begin(state, streams.rows_for(0.02), 0.5 * lattice.dx);
     double made = 0.0;
