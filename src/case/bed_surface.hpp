@@ -1,5 +1,6 @@
 #pragma once
 
+#include <string>
 #include <vector>
 
 #include "case/bed_heights.hpp"
@@ -22,12 +23,19 @@ namespace riffle::inline case_file {
 /// The closed surface of one cross-section all along a channel, by `y` and `levels` of a solid.
 [[nodiscard]] Triangles section_triangles(const Case& c, const Solid& solid);
 
-/// Centres of a layer of spheres over the bed, m: those that reach into the channel or stand beyond its ends
-/// and sides where these are periodic. Hexagonal and square lattices are stretched to a whole number of
-/// spheres along periodic ends and sides.
-[[nodiscard]] std::vector<Point3> sphere_centres(const Case& c, const Solid& solid);
+/// A sphere of a layer, m.
+struct LaidSphere {
+    Point3 centre{};
+    double diameter = 0.0;
+};
 
-/// The closed surfaces of these spheres.
-[[nodiscard]] Triangles sphere_layer_triangles(const Case& c, const Solid& solid);
+/// The spheres of a layer over the bed: those that reach into the channel or stand beyond its ends and sides
+/// where these are periodic. Hexagonal and square lattices are stretched to a whole number of spheres along
+/// periodic ends and sides. Of several sizes the larger ones are laid first.
+[[nodiscard]] std::vector<LaidSphere> laid_spheres(const Case& c, const Solid& solid);
+
+/// The closed surfaces of these spheres. `notes` takes how many there are of each size.
+[[nodiscard]] Triangles sphere_layer_triangles(const Case& c, const Solid& solid,
+                                               std::vector<std::string>* notes = nullptr);
 
 }  // namespace riffle::inline case_file

@@ -318,6 +318,8 @@ struct Solid {
     SolidPacking packing = SolidPacking::hexagonal;  ///< spheres
     std::optional<double> level;  ///< spheres: height of their centres, m; unset: they lie on the bed
     long long seed = 1;           ///< spheres, random
+    std::vector<double> smaller_diameters;  ///< spheres, random: further sizes, m
+    std::vector<double> area_shares;  ///< their shares of the plan, from the largest on but the smallest
     SolidSurface surface = SolidSurface::no_slip;
     double equivalent_roughness = 0.0;  ///< k_s of a surface by the log law, m; 0: smooth
     bool part_of_bed = false;           ///< whether the flow over it is one over a rough bed

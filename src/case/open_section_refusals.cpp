@@ -38,7 +38,7 @@ CheckList open_section_refusals() {
             {{"channel.ends", "solid.shape"},
              "in three dimensions a layer of spheres that are solid, several beds, or a cross-section whose lowest point is above the bed level",
              "water enters and leaves over one bed, and depths count from the bed level",
-             "give the bed as one `shape = \"section\"` (or \"trapezoid\", \"compound\", \"pipe\") with its lowest level at 0, or as one \"bed\" of heights, and what stands on it as [[solid]] away from the ends; or let the ends be periodic or walls",
+             R"(give the bed as one `shape = "section"` (or "trapezoid", "compound", "pipe") with its lowest level at 0, or as one "bed" of heights, and what stands on it as [[solid]] away from the ends; or let the ends be periodic or walls)",
              [](const Case& c, const Solid& solid) { return unlike_a_section(c, solid); }},
             {{"outflow.kind", "solid.shape"},
              R"(`kind = "weir"` or `"free-fall"` of a channel with a cross-section of its own, or over measured heights)",

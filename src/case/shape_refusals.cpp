@@ -1,6 +1,8 @@
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <numbers>
+#include <numeric>
 
 #include "case/cross_section.hpp"
 #include "case/refusals.hpp"
@@ -41,6 +43,27 @@ Findings no_size(const Solid& solid) {
         return found_if(true, "has no diameter");
     }
     return found_if(solid.shape == SolidShape::cylinder && solid.length <= 0.0, "has no length");
+}
+
+/// What is wrong with the sizes of a layer of spheres.
+Findings wrong_sizes(const Solid& solid) {
+    const std::vector<double>& smaller = solid.smaller_diameters;
+    if (solid.shape != SolidShape::spheres || (smaller.empty() && solid.area_shares.empty())) return {};
+    const bool falls = std::is_sorted(smaller.begin(), smaller.end(), std::greater<>()) &&
+                       (smaller.empty() || (smaller.front() < solid.diameter && smaller.back() > 0.0));
+    if (solid.packing != SolidPacking::random) {
+        return found_if(true, "has smaller_diameters or area_shares, and its packing is \"{}\"",
+                        word(solid.packing));
+    }
+    if (!falls) return found_if(true, "smaller_diameters do not fall from below the diameter to above zero");
+    const double sum = std::accumulate(solid.area_shares.begin(), solid.area_shares.end(), 0.0);
+    constexpr double most = 0.5;
+    const bool positive = std::all_of(solid.area_shares.begin(), solid.area_shares.end(),
+                                      [](double share) { return share > 0.0; });
+    return found_if(
+        !solid.area_shares.empty() && (solid.area_shares.size() != smaller.size() || !positive || sum > most),
+        "area_shares holds {} shares of {:.3g} in all, and {} sizes are larger than the smallest",
+        solid.area_shares.size(), sum, smaller.size());
 }
 
 /// A lattice of spheres that a periodic channel does not hold a whole number of.
@@ -140,6 +163,12 @@ CheckList shape_refusals() {
              return solid.moment_about.empty() ? Findings{}
                                                : wrong_count(c, "moment_about", solid.moment_about);
          },
+         true},
+        {{"solid.smaller_diameters", "solid.area_shares", "solid.packing"},
+         "several sizes of spheres that are not in random places, do not become smaller, or whose `area_shares` are not one for each but the smallest, above 0, and 0.5 in all at most",
+         "spheres in random places cover hardly more than half of the plan",
+         "set packing = \"random\", order the sizes, and give each but the smallest its share",
+         [](const Case&, const Solid& solid) { return wrong_sizes(solid); },
          true},
         {{"solid.blend", "channel.ends"},
          "`blend` without periodic ends or sides or open ends",

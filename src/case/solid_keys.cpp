@@ -105,6 +105,26 @@ void add_shape_keys(SectionKeys& s) {
                          .measured_in(length)
                          .unset_by("auto", "half the diameter: they lie on the bed")
                          .applies_with(shape, {"spheres"}, true));
+    s.keys.push_back(
+        solid_key("smaller_diameters", &Solid::smaller_diameters,
+                  "Diameters of further spheres among those of `diameter`, the largest, in random places.")
+            .measured_in(length)
+            .may_be_empty()
+            .with_default_note("none: all are equal")
+            .with_example(R"(["16 mm", "8 mm"])")
+            .applies_with(shape, {"spheres"}, true));
+    s.keys.push_back(
+        solid_key(
+            "area_shares", &Solid::area_shares,
+            "Shares of the plan, seen from above, that the spheres of each size cover, from the largest "
+            "on; the smallest lie where chance leaves them room.")
+            .at_least(0)
+            .at_most(0.5)
+            .because("spheres in random places cover hardly more than half of the plan")
+            .may_be_empty()
+            .with_default_note("0.45 in equal parts")
+            .with_example("[0.2, 0.15]")
+            .applies_with(shape, {"spheres"}, true));
     s.keys.push_back(solid_key("seed", &Solid::seed, "Seed of the random places of spheres.")
                          .at_least(0)
                          .at_most(1e9)

@@ -41,7 +41,7 @@ ClosedSurface surface_of_solid(const Case& c, const Solid& solid, std::vector<st
         case SolidShape::pipe:
             return closed_surface(section_triangles(c, solid), "the section");
         case SolidShape::spheres:
-            return closed_surface(sphere_layer_triangles(c, solid), "the spheres");
+            return closed_surface(sphere_layer_triangles(c, solid, notes), "the spheres");
         case SolidShape::box:
         case SolidShape::sphere:
         case SolidShape::cylinder:

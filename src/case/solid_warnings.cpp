@@ -96,14 +96,20 @@ Findings out_of_reach(const Case& c, const Solid& solid) {
 
 /// Where a sphere of one layer stands in one of another, deeper than a tenth of the spacing.
 std::optional<Point3> spheres_meet(const Case& c, const Solid& a, const Solid& b) {
-    const double least = 0.5 * (a.diameter + b.diameter) - 0.1 * c.numerics.spacing;
-    const std::vector<Point3> first = sphere_centres(c, a);
-    std::vector<Point3> second = sphere_centres(c, b);
-    std::sort(second.begin(), second.end());
-    for (const Point3& centre : first) {
-        for (auto other = std::lower_bound(second.begin(), second.end(), Point3{centre[0] - least, 0.0, 0.0});
-             other != second.end() && (*other)[0] < centre[0] + least; ++other) {
-            const Point3 way = minus(*other, centre);
+    const double slack = 0.1 * c.numerics.spacing;
+    const double most = 0.5 * (a.diameter + b.diameter) - slack;
+    const std::vector<LaidSphere> first = laid_spheres(c, a);
+    std::vector<LaidSphere> second = laid_spheres(c, b);
+    std::sort(second.begin(), second.end(),
+              [](const LaidSphere& one, const LaidSphere& other) { return one.centre < other.centre; });
+    for (const LaidSphere& sphere : first) {
+        const Point3& centre = sphere.centre;
+        const auto begin =
+            std::lower_bound(second.begin(), second.end(), centre[0] - most,
+                             [](const LaidSphere& one, double x) { return one.centre[0] < x; });
+        for (auto other = begin; other != second.end() && other->centre[0] < centre[0] + most; ++other) {
+            const Point3 way = minus(other->centre, centre);
+            const double least = 0.5 * (sphere.diameter + other->diameter) - slack;
             if (dot(way, way) < least * least) return centre;
         }
     }

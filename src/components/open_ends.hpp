@@ -326,8 +326,8 @@ class OpenEnds final : public Component<D, Real> {
         OpenEndsState& state = flow.clock.open_ends;
         const EndState& end = state.upstream;
         profiles_.go_to_now(flow);
-        if (flow.clock.steps > 0)
-            profiles_.go_on(state);  // after a restore it knows nothing of the last step
+        // After a restore they know nothing of the last step.
+        if (flow.clock.steps > 0) profiles_.go_on(state);
         const auto add = [&](const std::vector<Vec<D>>& places, bool entering, const auto& velocity) {
             const EndState& section = entering ? state.upstream : state.downstream;
             const auto pressure = [&](std::size_t i) {

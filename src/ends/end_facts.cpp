@@ -3,8 +3,8 @@
 #include <cmath>
 #include <functional>
 
-#include "case/end_buffers.hpp"
 #include "case/cross_section.hpp"
+#include "case/end_buffers.hpp"
 #include "case/end_levels.hpp"
 #include "case/flow_kind.hpp"
 #include "case/units.hpp"

@@ -66,8 +66,8 @@ LongWaves waves_of_lattice(const Case& c, bool at_inflow) {
 }
 
 LongWaves waves_of(const Case& c, bool at_inflow) {
-    if (const Solid* const section = section_of(c))
-        return {c.normal_gravity(), shape_of_section(c, *section)};
+    const Solid* const section = section_of(c);
+    if (section != nullptr) return {c.normal_gravity(), shape_of_section(c, *section)};
     return measured_bed_of(c) != nullptr ? waves_of_lattice(c, at_inflow) : LongWaves(c.normal_gravity());
 }
 

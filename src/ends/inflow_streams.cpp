@@ -53,8 +53,10 @@ void InflowStreams::rearrange(OpenEndsState& state, double depth) const {
         for (int file = 0; file < files_; ++file) {
             double& place = front(next, row, file);
             // Over a bank a stream may begin where there was none: from the channel on.
-            if (!lattice_.is_rectangle())
-                place = seen[index(row, file)] > 0.0 ? place / seen[index(row, file)] : 0.0;
+            if (!lattice_.is_rectangle()) {
+                const double share = seen[index(row, file)];
+                place = share > 0.0 ? place / share : 0.0;
+            }
             place += after;
         }
     }

@@ -33,9 +33,8 @@ double LongWaves::critical_depth(double unit_discharge) const {
 }
 
 double LongWaves::sequent_depth(double depth, double velocity) const {
-    if (section_) {
-        return lowest_ + hydraulics::sequent_depth(*section_, gravity_, depth - lowest_, velocity);
-    }
+    const double water = depth - lowest_;
+    if (section_) return lowest_ + hydraulics::sequent_depth(*section_, gravity_, water, velocity);
     const double c = speed(depth);
     const double froude = c > 0.0 ? velocity / c : 0.0;
     return 0.5 * depth * (std::sqrt(1.0 + 8.0 * froude * froude) - 1.0);

@@ -128,7 +128,7 @@ std::optional<double> sequent_depth(const SteadyChannel& channel, double depth, 
 }
 
 SteadyChannel manning_channel(double slope, double gravity, double unit_discharge, double n,
-                              std::shared_ptr<const SectionShape> section) {
+                              const std::shared_ptr<const SectionShape>& section) {
     SteadyChannel channel{.slope = slope,
                           .gravity = gravity,
                           .unit_discharge = unit_discharge,
@@ -162,7 +162,7 @@ SteadyChannel rough_channel(double slope, double gravity, double unit_discharge,
 
 SteadyChannel colebrook_channel(double slope, double gravity, double unit_discharge,
                                 double equivalent_roughness, double kinematic_viscosity,
-                                std::shared_ptr<const SectionShape> section) {
+                                const std::shared_ptr<const SectionShape>& section) {
     const auto surplus_radius = [&](double depth) {
         return section->hydraulic_radius(depth) - equivalent_roughness;
     };

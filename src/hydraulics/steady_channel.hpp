@@ -74,7 +74,7 @@ struct SteadyChannel {
 
 /// A channel with Manning's n (s/m^(1/3)): S_f = n^2 U^2/R^(4/3), a wide one (R = h) or one of a section.
 [[nodiscard]] SteadyChannel manning_channel(double slope, double gravity, double unit_discharge, double n,
-                                            std::shared_ptr<const SectionShape> section = {});
+                                            const std::shared_ptr<const SectionShape>& section = {});
 
 /// A wide channel with an equivalent roughness k_s (m): the rough log law's mean over the depth (2.3) gives
 /// u_*, and S_f = u_*^2/(g h). Known from h = k_s on.
@@ -85,7 +85,7 @@ struct SteadyChannel {
 /// friction factor of Colebrook and White and the constants of a pipe. Known from where R is k_s.
 [[nodiscard]] SteadyChannel colebrook_channel(double slope, double gravity, double unit_discharge,
                                               double equivalent_roughness, double kinematic_viscosity,
-                                              std::shared_ptr<const SectionShape> section);
+                                              const std::shared_ptr<const SectionShape>& section);
 
 /// Unit discharge of uniform flow with Manning's n, h^(5/3) sin(theta)^(1/2)/n, m2/s, of a section A R^(2/3)
 /// in place of h^(5/3).

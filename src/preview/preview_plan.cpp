@@ -234,8 +234,10 @@ void draw_plan(SvgSheet& sheet, const Case& c, const PreviewPlan& plan, const Sh
         if (mesh == nullptr) continue;
         constexpr std::size_t few = 20000;
         if (solid.shape == SolidShape::spheres) {
-            draw_circles(sheet, view, sphere_centres(c, solid), solid.diameter,
-                         R"(fill="#c2a878" stroke="#5b4a2f" stroke-width="0.8")");
+            for (const LaidSphere& sphere : laid_spheres(c, solid)) {
+                draw_circles(sheet, view, {sphere.centre}, sphere.diameter,
+                             R"(fill="#c2a878" stroke="#5b4a2f" stroke-width="0.8")");
+            }
         } else if (is_bed_shape(solid.shape) || mesh->tree().triangles().size() > few) {
             sheet.end_clip();
             draw_heights(sheet, c, plan, view, *mesh);

@@ -340,6 +340,8 @@ std::vector<Wrong> wrong_shapes() {
          "channel.ends = open; inflow.unit_discharge = 0.01; inflow.profile = uniform; outflow.kind = free"},
         {open_canal(), "outflow.kind = weir; outflow.weir_height = 30 mm"},
         {open_canal(), "inflow.profile = column"},
+        {with_shape(SolidShape::spheres),
+         "solid[0].smaller_diameters = [0.005]; solid[0].packing = hexagonal"},
         {open_canal(), "solid[0].surface = slip"},
         {open_canal(), "channel.top = wall; outflow.kind = pressure"},
         {open_canal(), "solid[0].shape = section; solid[0].y = [0, 0.2]; solid[0].levels = [0.01, 0.01]"},

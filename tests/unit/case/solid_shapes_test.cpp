@@ -3,6 +3,7 @@
 #include "case/solid_shapes.hpp"
 
 #include <cmath>
+#include <map>
 #include <numbers>
 
 #include "case/bed_surface.hpp"
@@ -126,7 +127,8 @@ TEST(SolidShapes, SpheresRepeatWithThePeriodicChannelAndDoNotOverlap) {
     layer.diameter = 0.02;
     for (const SolidPacking packing : {SolidPacking::hexagonal, SolidPacking::square, SolidPacking::random}) {
         layer.packing = packing;
-        const auto centres = sphere_centres(c, layer);
+        std::vector<Point3> centres;
+        for (const LaidSphere& sphere : laid_spheres(c, layer)) centres.push_back(sphere.centre);
         double inside = 0.0;
         for (std::size_t i = 0; i < centres.size(); ++i) {
             const auto& [x, y, z] = centres[i];
@@ -145,6 +147,39 @@ TEST(SolidShapes, SpheresRepeatWithThePeriodicChannelAndDoNotOverlap) {
             EXPECT_NEAR(share, 0.547, 0.06);
         }
     }
+}
+
+TEST(SolidShapes, SpheresOfSeveralSizesCoverTheirSharesAndDoNotOverlap) {
+    Case c = space();
+    c.channel.length = 0.3;
+    c.channel.width = 0.2;
+    c.channel.sides = Sides::periodic;
+    Solid layer;
+    layer.name = "s";
+    layer.shape = SolidShape::spheres;
+    layer.diameter = 0.02;
+    layer.packing = SolidPacking::random;
+    layer.smaller_diameters = {0.012, 0.006};
+    layer.area_shares = {0.2, 0.15};
+    const auto spheres = laid_spheres(c, layer);
+    std::map<double, double> covered;
+    for (std::size_t i = 0; i < spheres.size(); ++i) {
+        const auto& [centre, d] = spheres[i];
+        EXPECT_EQ(centre[2], 0.5 * d);
+        const bool inside = centre[0] >= 0.0 && centre[0] < c.channel.length && centre[1] >= 0.0 &&
+                            centre[1] < c.channel.width;
+        covered[d] += inside ? 0.25 * std::numbers::pi * d * d / (c.channel.length * c.channel.width) : 0.0;
+        for (std::size_t j = 0; j < i; ++j) {
+            const Point3 way{centre[0] - spheres[j].centre[0], centre[1] - spheres[j].centre[1],
+                             centre[2] - spheres[j].centre[2]};
+            EXPECT_GT(std::hypot(way[0], way[1], way[2]), 0.5 * (d + spheres[j].diameter) * (1.0 - 1e-9));
+        }
+    }
+    ASSERT_EQ(covered.size(), 3U);
+    EXPECT_NEAR(covered[0.02], 0.2, 0.006);  // one sphere is half a percent of the plan
+    EXPECT_NEAR(covered[0.012], 0.15, 0.002);
+    EXPECT_GT(covered[0.006], 0.1);  // in all denser than spheres of one size
+    EXPECT_GT(covered[0.02] + covered[0.012] + covered[0.006], 0.547);
 }
 
 // The fill of a bed that goes through a periodic channel is even, across its ends too.

@@ -206,8 +206,8 @@ TEST(InflowStreams, TheDischargeOfACanalIsExact) {
         const auto velocity = [](int row, int file) { return 0.02 * (row + 1) + 0.001 * file; };
         for (int row = 0; row < state.rows; ++row) {
             for (int file = 0; file < lattice.files; ++file) {
-                if (streams.lattice().holds(row, file))
-                    entered += dt * velocity(row, file) * depth / state.rows;
+                const double wet = streams.lattice().holds(row, file) ? 1.0 : 0.0;
+                entered += wet * dt * velocity(row, file) * depth / state.rows;
             }
         }
         streams.advance(state, dt, 0.0, velocity);
