@@ -234,9 +234,4 @@ const Solid* canal_of(const Case& c) {
     return uniform ? solid : nullptr;
 }
 
-double mean_depth_over(const Case& c, const CrossSection& section, double depth) {
-    const double lowest = *std::min_element(section.levels.begin(), section.levels.end());
-    return wetted_section(section, lowest + depth).area / c.channel.simulated_width();
-}
-
 }  // namespace riffle::inline case_file

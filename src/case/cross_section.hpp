@@ -45,7 +45,4 @@ struct WettedSection {
 /// case is another.
 [[nodiscard]] const Solid* canal_of(const Case& c);
 
-/// Area of the water up to a depth over the lowest point of a section, over the width of the channel, m.
-[[nodiscard]] double mean_depth_over(const Case& c, const CrossSection& section, double depth);
-
 }  // namespace riffle::inline case_file

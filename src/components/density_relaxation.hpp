@@ -148,7 +148,7 @@ class DensityRelaxation final : public Component<D, Real> {
 
     /// By how much the sum is larger than that of even water there.
     [[nodiscard]] double surplus_of(const Flow& flow, std::size_t slot) const {
-        const double near = smoothstep<double>(sees_no_surface, sees_surface, sees_[slot]);
+        const auto near = smoothstep<double>(sees_no_surface, sees_surface, sees_[slot]);
         double expected = 1.0;
         double left_alone = near;
         if constexpr (up_to_surface) {
