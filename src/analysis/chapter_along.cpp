@@ -142,9 +142,8 @@ void add_velocity(const LongProfile& profile, const Heads& heads, Analysis& anal
 void compare_with_varied_flow(const FlowRecord& record, const LongProfile& profile, Figure& figure,
                               Analysis& analysis) {
     const Case& c = *record.flow();
-    const bool has_others = !c.solids.empty() && (c.solids.size() > 1 || canal_of(c) == nullptr);
-    if (has_others || varies_beyond_beds(c) || !channel_or_walls_resist(c) || resolves_eddies(c) ||
-        !c.inflow_unit_discharge()) {
+    if (has_solids_beside_section(c) || varies_beyond_beds(c) || !channel_or_walls_resist(c) ||
+        resolves_eddies(c) || !c.inflow_unit_discharge()) {
         return;
     }
     std::vector<double> depth;
@@ -256,7 +255,7 @@ void analyse_along(const FlowRecord& record, Analysis& analysis) {
     figure.x.from = 0.0;
     figure.x.to = c.channel.length;
     figure.y.from = 0.0;
-    const std::optional<CanalFlow> canal = c.channel.ends == Ends::periodic ? canal_flow(c) : std::nullopt;
+    const std::optional<CanalFlow> canal = canal_flow(c);
     if (canal) add_canal(record, *canal, analysis);
     const SpaceTime& surface = record.surface();
     if (surface.rows() < 2) {
@@ -291,7 +290,7 @@ void analyse_along(const FlowRecord& record, Analysis& analysis) {
     const std::optional<UnitDischarge> discharge = canal ? std::nullopt : unit_discharge(record);
     std::optional<Heads> heads;
     if (discharge) {
-        if (section_of(c) != nullptr || measured_bed_of(c) != nullptr) {
+        if (uneven_bed_of(c) != nullptr) {
             const double width = c.channel.width;
             std::optional<double> half_width = discharge->half_width;
             if (half_width) *half_width *= width;

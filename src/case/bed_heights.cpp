@@ -342,6 +342,12 @@ class BedMaker {
         }
     }
 
+    /// 1 up to a place, from which on it falls smoothly to 0 over a way of 1.
+    [[nodiscard]] static double faded(double way) {
+        const double t = std::clamp(1.0 - way, 0.0, 1.0);
+        return t * t * (3.0 - 2.0 * t);
+    }
+
     /// Makes the two ends of an axis one: what lies at the begin and at the end of a periodic channel is the
     /// same place.
     void join_ends(std::size_t axis) {
@@ -379,8 +385,7 @@ class BedMaker {
             const double half = 0.5 * (at(0, line) - at(last, line));
             for (std::size_t i = 0; i <= last; ++i) {
                 const auto share = [&](std::size_t steps) {
-                    const double t = std::max(0.0, 1.0 - static_cast<double>(steps) * step / over);
-                    return t * t * (3.0 - 2.0 * t);
+                    return faded(static_cast<double>(steps) * step / over);
                 };
                 at(i, line) += half * (share(last - i) - share(i));
             }
@@ -413,8 +418,7 @@ class BedMaker {
                 for (std::size_t i = 0; i <= all; ++i) {
                     const double way =
                         (static_cast<double>(i) - static_cast<double>(last)) * bed_.step_x / over;
-                    const double t = std::clamp(1.0 - way, 0.0, 1.0);
-                    const double moved = t * t * (3.0 - 2.0 * t) * (mean - at(i));
+                    const double moved = faded(way) * (mean - at(i));
                     change = std::max(change, std::abs(moved));
                     at(i) += moved;
                 }

@@ -209,6 +209,14 @@ WettedSection wetted_section(const CrossSection& section, double level) {
     return wet;
 }
 
+WettedSides wetted_sides(const Case& c, const CrossSection& section, double level) {
+    WettedSides wet;
+    if (!c.has_side_wall_drag()) return wet;
+    wet.left = std::max(0.0, level - section.levels.front());
+    if (c.channel.sides != Sides::half) wet.right = std::max(0.0, level - section.levels.back());
+    return wet;
+}
+
 const Solid* section_of(const Case& c) {
     if (c.channel.dimensions != 3) return nullptr;
     const Solid* found = nullptr;
@@ -226,6 +234,11 @@ const Solid* measured_bed_of(const Case& c) {
     return c.channel.dimensions == 3 && found != c.solids.end() ? &*found : nullptr;
 }
 
+const Solid* uneven_bed_of(const Case& c) {
+    const Solid* const section = section_of(c);
+    return section != nullptr ? section : measured_bed_of(c);
+}
+
 const Solid* canal_of(const Case& c) {
     const Solid* const solid = section_of(c);
     if (solid == nullptr || solid->surface != SolidSurface::log_law) return nullptr;
@@ -233,5 +246,7 @@ const Solid* canal_of(const Case& c) {
     const bool uniform = c.channel.ends == Ends::periodic && c.channel.slope > 0.0 && c.solids.size() == 1;
     return uniform ? solid : nullptr;
 }
+
+bool has_solids_beside_section(const Case& c) { return c.solids.size() > (canal_of(c) != nullptr ? 1U : 0U); }
 
 }  // namespace riffle::inline case_file

@@ -33,6 +33,14 @@ struct WettedSection {
 };
 [[nodiscard]] WettedSection wetted_section(const CrossSection& section, double level);
 
+/// What the water up to a level wets of the upright sides above a section, m: nothing of sides without
+/// friction, nor of the middle of half a channel.
+struct WettedSides {
+    double left = 0.0;
+    double right = 0.0;
+};
+[[nodiscard]] WettedSides wetted_sides(const Case& c, const CrossSection& section, double level);
+
 /// The solid of a case in three dimensions that gives its channel one cross-section all along; nothing where
 /// none does, more than one, or one that is drawn wrong.
 [[nodiscard]] const Solid* section_of(const Case& c);
@@ -40,9 +48,15 @@ struct WettedSection {
 /// The solid of a case in three dimensions that is a bed of measured heights; nothing where none is.
 [[nodiscard]] const Solid* measured_bed_of(const Case& c);
 
+/// Either of the two: the solid over which the channel is no rectangle; nothing where it is one.
+[[nodiscard]] const Solid* uneven_bed_of(const Case& c);
+
 /// The one solid of a case that makes it a canal: of one cross-section all along the channel, with the
 /// friction of the log law; between periodic ends down a slope and with no solid beside it. Nothing where the
 /// case is another.
 [[nodiscard]] const Solid* canal_of(const Case& c);
+
+/// Whether solids stand in a channel beside the section that makes it a canal.
+[[nodiscard]] bool has_solids_beside_section(const Case& c);
 
 }  // namespace riffle::inline case_file

@@ -27,9 +27,6 @@ Findings unlike_a_section(const Case& c, const Solid& solid) {
                     solid.name, shown_length(lowest));
 }
 
-/// Whether the channel is no rectangle: of a cross-section, or over measured heights.
-bool has_own_section(const Case& c) { return section_of(c) != nullptr || measured_bed_of(c) != nullptr; }
-
 }  // namespace
 
 CheckList open_section_refusals() {
@@ -45,7 +42,7 @@ CheckList open_section_refusals() {
              "the crest of the weir and the edge of the bed are level all across the channel",
              R"(choose kind = "rating-curve" with the rating of the weir, "critical-depth", or another)",
              [](const Case& c) {
-                 return has_own_section(c) &&
+                 return uneven_bed_of(c) != nullptr &&
                         (c.outflow.kind == OutflowKind::weir || c.outflow.kind == OutflowKind::free_fall);
              }},
             {{"inflow.profile", "solid.shape"},
@@ -54,7 +51,7 @@ CheckList open_section_refusals() {
              R"(choose profile = "twin" (of a solid with surface = "log-law"), "log-law", "power-law" or "uniform")",
              [](const Case& c) {
                  const InflowProfile profile = c.inflow.profile;
-                 return has_own_section(c) &&
+                 return uneven_bed_of(c) != nullptr &&
                         (profile == InflowProfile::column || profile == InflowProfile::file ||
                          profile == InflowProfile::results);
              }},
@@ -63,7 +60,7 @@ CheckList open_section_refusals() {
              "nothing tells the friction of uniform flow there",
              R"(choose inflow.profile = "log-law" or "uniform", outflow.kind = "depth", "rating-curve" or "critical-depth" and another start; of a cross-section, or set surface = "log-law" and its equivalent_roughness)",
              [](const Case& c) {
-                 return has_own_section(c) && canal_of(c) == nullptr &&
+                 return uneven_bed_of(c) != nullptr && canal_of(c) == nullptr &&
                         (c.inflow.profile == InflowProfile::twin ||
                          c.outflow.kind == OutflowKind::normal_depth || c.start.kind == StartKind::backwater);
              }},
@@ -71,7 +68,7 @@ CheckList open_section_refusals() {
              "`top = \"wall\"` over a cross-section or measured heights, with open ends",
              "what enters a duct fills a rectangle",
              "let the surface be free",
-             [](const Case& c) { return is_duct(c) && has_own_section(c); }},
+             [](const Case& c) { return is_duct(c) && uneven_bed_of(c) != nullptr; }},
         },
         [](const Case& c) { return c.channel.ends == Ends::open && in_space(c) && !c.solids.empty(); }};
 }

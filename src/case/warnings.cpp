@@ -156,11 +156,7 @@ CheckList make_warnings() {
          "the varied flow of the start knows the bed alone: over a weir or past a pier the run begins with another "
          "flow, and has to find its own",
          "kind = \"rest\" with start.water_x and start.water_z gives each pool its level",
-         [](const Case& c) {
-             const std::size_t known =
-                 canal_of(c) != nullptr ? 1 : 0;  // the section that the flow is found for
-             return c.start.kind == StartKind::backwater && c.solids.size() > known;
-         }},
+         [](const Case& c) { return c.start.kind == StartKind::backwater && has_solids_beside_section(c); }},
         {{"start.lattice", "start.kind"},
          "`lattice = \"body-centred\"` of water that does not start at rest",
          "\"body-centred\" has no layers that slide in a shear flow (docs/theory.md, section 12)",

@@ -17,14 +17,6 @@ double lowest_of(const CrossSection& section) {
     return *std::min_element(section.levels.begin(), section.levels.end());
 }
 
-/// Wetted perimeter of the upright sides above the section at a level, m.
-double wetted_sides(const Case& c, const CrossSection& section, double level) {
-    if (!c.has_side_wall_drag()) return 0.0;
-    const double left = std::max(0.0, level - section.levels.front());
-    // The middle of half a channel is no wall.
-    return c.channel.sides == Sides::half ? left : left + std::max(0.0, level - section.levels.back());
-}
-
 /// The part of a section between two places across the channel.
 CrossSection part_of(const CrossSection& section, double from, double to) {
     const auto level_at = [&](double y) {
@@ -96,7 +88,8 @@ std::shared_ptr<const SectionShape> shape_of_section(const Case& c, const Solid&
         const double level = lowest + std::max(h, hair);
         const WettedSection wet = wetted_section(section, level);
         widths.push_back(wet.top_width / width);
-        perimeters.push_back((wet.perimeter + wetted_sides(c, section, level)) / width);
+        const WettedSides sides = wetted_sides(c, section, level);
+        perimeters.push_back((wet.perimeter + sides.left + sides.right) / width);
     }
     return std::make_shared<const SectionShape>(std::move(kept), std::move(widths), std::move(perimeters));
 }
@@ -106,18 +99,13 @@ SectionStrips section_strips(const Case& c, const Solid& solid, double depth, in
     const double lowest = lowest_of(section);
     const double level = lowest + depth;
     const double width = c.channel.simulated_width() / count;
+    const WettedSides sides = wetted_sides(c, section, level);
     SectionStrips strips{width, {}, {}};
     for (int i = 0; i < count; ++i) {
         const CrossSection part = part_of(section, i * width, (i + 1) * width);
         const WettedSection wet = wetted_section(part, level);
-        double perimeter = wet.perimeter;
-        if (c.has_side_wall_drag()) {
-            if (i == 0) perimeter += std::max(0.0, level - section.levels.front());
-            if (i + 1 == count && c.channel.sides != Sides::half) {
-                perimeter += std::max(0.0, level - section.levels.back());
-            }
-        }
-        strips.strips.push_back({wet.area / width, perimeter / width});
+        const double side = (i == 0 ? sides.left : 0.0) + (i + 1 == count ? sides.right : 0.0);
+        strips.strips.push_back({wet.area / width, (wet.perimeter + side) / width});
         const CrossSection middle = part_of(section, i * width, (i + 0.5) * width);
         strips.bed.push_back(middle.levels.back() - lowest);
     }
@@ -129,11 +117,15 @@ std::vector<double> canal_velocities(const Case& c, const SectionStrips& strips,
                            section_of(c)->equivalent_roughness, c.fluid.kinematic_viscosity);
 }
 
+SteadyChannel canal_by_radius(const Case& c, double unit_discharge) {
+    const Solid& canal = *section_of(c);
+    return colebrook_channel(c.channel.slope, c.fluid.gravity, unit_discharge, canal.equivalent_roughness,
+                             c.fluid.kinematic_viscosity, shape_of_section(c, canal));
+}
+
 SteadyChannel canal_channel(const Case& c, double unit_discharge) {
     const Solid& canal = *section_of(c);
-    SteadyChannel channel =
-        colebrook_channel(c.channel.slope, c.fluid.gravity, unit_discharge, canal.equivalent_roughness,
-                          c.fluid.kinematic_viscosity, shape_of_section(c, canal));
+    SteadyChannel channel = canal_by_radius(c, unit_discharge);
     // What the velocities across add, at depths from which it is interpolated.
     constexpr int depths = 120;
     constexpr double lowest_share = 0.02;  // of the case's depth

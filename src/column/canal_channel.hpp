@@ -18,6 +18,9 @@ namespace riffle::inline column {
 /// coefficients of momentum and energy are those of the velocities across it by lateral_profile().
 [[nodiscard]] SteadyChannel canal_channel(const Case& c, double unit_discharge);
 
+/// The same without what the velocities across it add: even coefficients.
+[[nodiscard]] SteadyChannel canal_by_radius(const Case& c, double unit_discharge);
+
 /// Discharge of uniform flow in such a channel at a depth (m), over its width, m2/s.
 [[nodiscard]] double canal_uniform_discharge(const Case& c, double depth);
 /// The same with the shape of its section at hand.

@@ -14,17 +14,13 @@ std::optional<CanalFlow> canal_flow(const Case& c) {
     const CrossSection section = cross_section(c, *canal);
     const double level = c.total_depth();
     flow.wet = wetted_section(section, level);
-    // The upright sides of the channel above the section; the middle of half a channel is none.
-    double sides = std::max(0.0, level - section.levels.front());
+    const WettedSides sides = wetted_sides(c, section, level);
+    flow.wet.perimeter += sides.left + sides.right;
     if (c.channel.sides == Sides::half) {
         flow.wet.area *= 2.0;
         flow.wet.perimeter *= 2.0;
         flow.wet.top_width *= 2.0;
-        sides *= 2.0;
-    } else {
-        sides += std::max(0.0, level - section.levels.back());
     }
-    if (c.has_side_wall_drag()) flow.wet.perimeter += sides;
     if (flow.wet.area <= 0.0) return std::nullopt;
     flow.hydraulic_radius = flow.wet.area / flow.wet.perimeter;
     // A smooth canal without viscosity holds nothing back.

@@ -116,7 +116,7 @@ class TwinStates {
 }  // namespace
 
 double least_known_depth(const Case& c) {
-    if (canal_of(c) != nullptr) return canal_channel(c, 1.0).least_depth;
+    if (canal_of(c) != nullptr) return canal_by_radius(c, 1.0).least_depth;
     constexpr double least_share = 1e-3;  // of the case's depth, over a smooth bed
     // A log law holds in water of twice its roughness and more.
     const auto of_law = [](const Case& bed) {

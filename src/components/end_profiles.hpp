@@ -28,8 +28,8 @@ class EndProfiles {
           floors_(end_floors(flow.c)),
           upstream_(flow.c, lattice, place_of_end(flow.c, true)),
           downstream_(flow.c, lattice, place_of_end(flow.c, false)),
-          sections_(read_end_input(flow.c), waves_over(flow, upstream_), waves_over(flow, downstream_),
-                    flow.scheme.state.sound_speed, lattice.dz),
+          sections_(read_end_input(flow.c), upstream_.waves(flow.scheme.normal_gravity),
+                    downstream_.waves(flow.scheme.normal_gravity), flow.scheme.state.sound_speed, lattice.dz),
           leaving_(lattice.dz, floors_of_files()) {
         for (int file = 0; file < lattice_.files; ++file) files_.push_back(lattice_.y(file, 0));
     }
@@ -49,7 +49,7 @@ class EndProfiles {
 
     /// Velocity with which a particle rises with the depth of the water of its end, m/s.
     [[nodiscard]] double rise(const Flow& flow, std::size_t i, const EndState& end, bool entering) const {
-        const double lowest = (entering ? sections_.upstream() : sections_.downstream()).lowest();
+        const double lowest = sections_.waves(entering).lowest();
         // At the outflow no water may be, or a drop of it.
         const double depth = entering ? end.depth - lowest : std::max(end.depth - lowest, lattice_.dz);
         return (over_floor(flow, i, entering) - lowest) / depth * end.depth_rate;
@@ -57,7 +57,7 @@ class EndProfiles {
 
     /// Width of the surface over the area of the water at an end, 1/m; in a rectangle 1/h.
     [[nodiscard]] double widening(const EndState& end, bool entering) const {
-        const LongWaves& waves = entering ? sections_.upstream() : sections_.downstream();
+        const LongWaves& waves = sections_.waves(entering);
         const double depth = std::max(end.depth, waves.lowest() + lattice_.dz);
         if (waves.in_rectangle()) return 1.0 / depth;
         const double c = waves.speed(depth);
@@ -130,9 +130,7 @@ class EndProfiles {
         double sum = 0.0;
         for (int row = 0; row < state.rows; ++row) {
             for (int file = 0; file < lattice_.files; ++file) {
-                if (!upstream_.holds(row, file)) continue;
-                sum += entering().at(moment_, files_[static_cast<std::size_t>(file)],
-                                     (row + 0.5) / state.rows)[0];
+                if (upstream_.holds(row, file)) sum += entering_in_stream(row, file, state.rows);
             }
         }
         const double depth = state.upstream.depth;
@@ -155,15 +153,11 @@ class EndProfiles {
                                                               const EndWatch<D, Real>& watch,
                                                               std::size_t end) const {
         auto seen = watch.watch(flow, end);
-        seen.depth = (end == 0 ? sections_.upstream() : sections_.downstream()).depth_of_area(seen.depth);
+        seen.depth = sections_.waves(end == 0).depth_of_area(seen.depth);
         return seen;
     }
 
   private:
-    [[nodiscard]] static LongWaves waves_over(const Flow& flow, const EndLattice& places) {
-        return {flow.scheme.normal_gravity, places.shape(), places.lowest()};
-    }
-
     /// Heights of the bed in the files of a section; none of a rectangle.
     [[nodiscard]] std::vector<double> floors_of_files() const {
         std::vector<double> floors;

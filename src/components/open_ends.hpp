@@ -176,7 +176,7 @@ class OpenEnds final : public Component<D, Real> {
                                          ? flow.c.total_depth() - (end == 0 ? profiles_.floors().upstream
                                                                             : profiles_.floors().downstream)
                                          : std::max(water.depth, lattice_.dz);
-                const LongWaves& waves = end == 0 ? sections().upstream() : sections().downstream();
+                const LongWaves& waves = sections().waves(end == 0);
                 return sections().start(depth, waves.area(depth) * water.velocity, end == 0);
             };
             state.upstream = section(0);

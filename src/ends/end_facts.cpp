@@ -219,7 +219,7 @@ std::string characteristic_text(const Case& c, const FlowAtEnd& end) {
     const bool above_datum = end.floor == 0.0 && c.datum() > 0.0;
     const std::string law = c.channel.slope > noticed_slope ? "(q²/(g cos θ))^(1/3)" : "(q²/g)^(1/3)";
     std::string text = "critical depth ";
-    const bool in_rectangle = section_of(c) == nullptr && measured_bed_of(c) == nullptr;
+    const bool in_rectangle = uneven_bed_of(c) == nullptr;
     if (!end.critical_of_profile && in_rectangle) {
         text += law + (above_datum ? fmt::format(" less the {:.4g} mm up to the datum = ", 1e3 * c.datum())
                                    : " = ");

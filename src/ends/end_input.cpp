@@ -95,7 +95,7 @@ std::shared_ptr<const EnteringFlow> entering_flow(const Case& c,
                                                   const std::optional<TimeTable>& unit_discharge,
                                                   double floor) {
     const double depth = c.total_depth() - floor;
-    if (section_of(c) != nullptr || measured_bed_of(c) != nullptr) {
+    if (uneven_bed_of(c) != nullptr) {
         const bool is_canal = canal_of(c) != nullptr;
         return canal_entering(c, is_canal ? twin_discharge(c, unit_discharge, depth) : 0.0, depth);
     }

@@ -12,7 +12,7 @@
 namespace riffle::inline ends {
 
 EndLattice::EndLattice(const Case& c, const Lattice& lattice, double x) {
-    const Solid* const bed = section_of(c) != nullptr ? section_of(c) : measured_bed_of(c);
+    const Solid* const bed = uneven_bed_of(c);
     if (bed == nullptr) return;
     files_ = static_cast<std::size_t>(lattice.files);
     const auto meshes = meshes_of(c);
@@ -61,8 +61,7 @@ double EndLattice::floor_of(int file) const {
 }
 
 LongWaves waves_of_lattice(const Case& c, bool at_inflow) {
-    const EndLattice places(c, lattice_of(c), place_of_end(c, at_inflow));
-    return {c.normal_gravity(), places.shape(), places.lowest()};
+    return EndLattice(c, lattice_of(c), place_of_end(c, at_inflow)).waves(c.normal_gravity());
 }
 
 LongWaves waves_of(const Case& c, bool at_inflow) {

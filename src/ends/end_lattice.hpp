@@ -12,30 +12,33 @@
 
 namespace riffle::inline ends {
 
-/// Which places of the lattice across a channel hold water beyond its ends: all of them, or, where the
-/// channel has a cross-section of its own (section_of()), those outside of its solid, as at the start.
+/// Which places of the lattice across a channel hold water: all of them, or, where the channel has a
+/// cross-section of its own or measured heights (uneven_bed_of()), those outside of that solid, as at the
+/// start.
 class EndLattice {
   public:
     /// All of them, in any number of rows.
     EndLattice() = default;
+    /// Of a case, at a place along its channel, m.
     EndLattice(const Case& c, const Lattice& lattice, double x);
 
     [[nodiscard]] bool is_rectangle() const { return shape_ == nullptr; }
     /// Whether water may stand in a row and a file; rows above those that were looked at are as the last one.
     [[nodiscard]] bool holds(int row, int file) const;
-    /// Height of the water's lowest place in a file over that of the section, m; that of the highest row
-    /// where it has none.
+    /// Height above z = 0 at which the water's lowest place in a file begins, m; of the highest row where it
+    /// has none.
     [[nodiscard]] double floor_of(int file) const;
-    /// The section as those places fill it, whose lowest point is lowest() over z = 0; null of a rectangle.
+    /// The section as those places fill it; null of a rectangle.
     [[nodiscard]] const std::shared_ptr<const SectionShape>& shape() const { return shape_; }
-    [[nodiscard]] double lowest() const { return lowest_; }
+    /// Its waves under a gravity normal to the bed (m/s2). Depths count from z = 0.
+    [[nodiscard]] LongWaves waves(double gravity) const { return {gravity, shape_, lowest_}; }
 
   private:
     std::size_t files_ = 0;
     std::vector<std::uint8_t> holds_;  ///< by rows, within them by files
     std::vector<double> floor_;        ///< by file
     std::shared_ptr<const SectionShape> shape_;
-    double lowest_ = 0.0;
+    double lowest_ = 0.0;  ///< point of it above z = 0, m
 };
 
 /// A place beyond an end of a channel, m along it.

@@ -18,7 +18,7 @@ void go_over_to(EndState& end, const Section& section, double dt) {
 }  // namespace
 
 EndState EndSections::start(double depth, double unit_discharge, bool at_inflow) const {
-    const LongWaves& waves = at_inflow ? upstream_ : downstream_;
+    const LongWaves& waves = this->waves(at_inflow);
     EndState end;
     end.depth = depth;
     end.velocity = depth > waves.lowest() ? unit_discharge / waves.area(depth) : 0.0;

@@ -28,6 +28,7 @@ class EndSections {
     /// Waves of the cross-sections of the ends.
     [[nodiscard]] const LongWaves& upstream() const { return upstream_; }
     [[nodiscard]] const LongWaves& downstream() const { return downstream_; }
+    [[nodiscard]] const LongWaves& waves(bool at_inflow) const { return at_inflow ? upstream_ : downstream_; }
     /// Whether the ends are those of a duct.
     [[nodiscard]] bool in_duct() const { return input_.duct; }
     /// Speed of the waves that reach the ends, m/s: long waves of a depth, or sound in a duct.

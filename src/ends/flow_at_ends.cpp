@@ -99,8 +99,7 @@ class BedFlow {
 /// Whether bodies, patches or solids at the ends make the flow other than that over the bed.
 bool is_disturbed(const Case& c) {
     const EndFloors floors = end_floors(c);
-    const bool has_others = c.solids.size() > 1 || canal_of(c) == nullptr;  // than the section of a canal
-    return (has_bodies(c) && has_others) || has_solid_bed(c) || varies_beyond_beds(c) ||
+    return has_solids_beside_section(c) || has_solid_bed(c) || varies_beyond_beds(c) ||
            floors.upstream > 0.0 || floors.downstream > 0.0;
 }
 

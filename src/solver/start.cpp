@@ -126,8 +126,7 @@ class OpenStart {
         } else if (measured_bed_of(c) != nullptr) {
             for (int k = 0; k <= stations; ++k) {
                 const double at = c.channel.length * k / stations;
-                const EndLattice places(c, lattice_of(c), at);
-                waves_.emplace_back(c.normal_gravity(), places.shape(), places.lowest());
+                waves_.push_back(EndLattice(c, lattice_of(c), at).waves(c.normal_gravity()));
             }
         }
     }

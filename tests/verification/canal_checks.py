@@ -5,25 +5,11 @@ import numpy
 
 import figures
 from check import Check
+from inflow_checks import files_across
 from open_end_checks import account, backwater, mean_surface
 from options import options_text
 
 SHARES = (0.25, 0.5, 0.75)
-
-
-def velocities_across(flow, place, half, start):
-    """Depth means of the velocity in files of a spacing across the channel within `half` of a place, from the snapshots from a time on, not a
-    number where no water is, and how many particles they are of: y, U, count."""
-    width = flow.parameters["channel"]["width"]
-    files = round(width / flow.spacing)
-    count, sums = numpy.zeros(files), numpy.zeros(files)
-    for s in flow.snapshots():
-        if s.time >= start:
-            near = numpy.abs(s.x - place) < half
-            file = (s.y[near] / width * files).astype(int).clip(0, files - 1)
-            count += numpy.bincount(file, minlength=files)
-            sums += numpy.bincount(file, s.u[near], files)
-    return (numpy.arange(files) + 0.5) * width / files, numpy.where(count > 0, sums / numpy.maximum(count, 1), numpy.nan), count
 
 
 def discharges(flow, start):
@@ -51,7 +37,7 @@ def _canal(study, check, *settings):
         check.norm(f"discharge at {place:.2f} m over that of the inflow, less one", float(discharge / given - 1), 0.01)
     axes = figure.panel("place across the canal y (m)", "depth mean of u (m/s)", "")
     for number, share in enumerate(SHARES):
-        y, u, count = velocities_across(flow, share * flow.length, 0.1 * flow.length, start)
+        y, u, count = files_across(flow, share * flow.length, 0.1 * flow.length, start, flow.parameters["channel"]["width"])
         if number == 0:
             first = u
         else:

@@ -99,9 +99,9 @@ def section_means(study, case, *settings):
     return y, numpy.diff(faces) @ cells[:, 2].reshape(z.size, y.size) / faces[-1]
 
 
-def means_across(flow, place, half, start):
-    """Depth means of the velocity in files of one spacing about a place, from the snapshots from a time on: y, U."""
-    width = 0.5 * flow.parameters["channel"]["width"]
+def files_across(flow, place, half, start, width):
+    """Depth means of the velocity in files of one spacing over a width, within `half` of a place, from the snapshots from a time on, not a
+    number where no water is, and of how many particles they are: y, U, count."""
     files = round(width / flow.spacing)
     count, sums = numpy.zeros(files), numpy.zeros(files)
     for s in flow.snapshots():
@@ -110,7 +110,12 @@ def means_across(flow, place, half, start):
             file = (s.y[near] / width * files).astype(int).clip(0, files - 1)
             count += numpy.bincount(file, minlength=files)
             sums += numpy.bincount(file, s.u[near], files)
-    return (numpy.arange(files) + 0.5) * width / files, sums / count
+    return (numpy.arange(files) + 0.5) * width / files, numpy.where(count > 0, sums / numpy.maximum(count, 1), numpy.nan), count
+
+
+def means_across(flow, place, half, start):
+    """The same over half of the channel: y, U."""
+    return files_across(flow, place, half, start, 0.5 * flow.parameters["channel"]["width"])[:2]
 
 
 def side_walls(study):

@@ -4,17 +4,14 @@
 #include <cmath>
 #include <filesystem>
 #include <fstream>
-#include <memory>
 #include <string>
-#include <vector>
 
 #include "base/parallel.hpp"
 #include "case/case.hpp"
 #include "column/canal_channel.hpp"
 #include "ends/end_lattice.hpp"
+#include "open_run.hpp"
 #include "particles/lattice.hpp"
-#include "solver/simulation.hpp"
-#include "solver/start.hpp"
 #include "temporary_folder.hpp"
 
 // Canals with open ends, coarse enough for seconds: six rows over the depth.
@@ -36,19 +33,7 @@ std::string canal(
            section + "surface = \"log-law\"\nequivalent_roughness = 0.001\n" + outflow;
 }
 
-struct CanalRun {
-    Case c;
-    std::unique_ptr<SimulationIn<3>> simulation;
-
-    explicit CanalRun(const std::string& text) : c(parse_case(text, "canal")) {
-        simulation =
-            make_simulation<3>(c, nullptr, initial_particles<3>(c, make_scheme(c, nullptr), nullptr));
-    }
-    void advance_to(double time) {
-        while (simulation->clock().time < time) simulation->step();
-    }
-    [[nodiscard]] const OpenEndsState& ends() const { return simulation->clock().open_ends; }
-};
+using CanalRun = test::OpenRun<3>;
 
 /// Discharge of uniform flow over the width of that canal, m2/s.
 double uniform_discharge(const std::string& text) {
@@ -103,25 +88,12 @@ TEST(OpenCanal, HasTheSameBitsForAnyNumberOfThreadsAndAfterARestore) {
     CanalRun two(text);
     two.advance_to(0.06);
     CanalRun resumed(text);
-    Particles<3> saved = two.simulation->particles();
-    for (std::size_t k = 0; k < 3 && !two.simulation->lists_out_of_date(); ++k) {
-        saved.listed_position[k].resize(saved.size());
-        two.simulation->listed_positions(k, 0, saved.listed_position[k]);
-    }
-    SimulationClock clock = two.simulation->clock();
-    const std::vector<double> sound = clock.open_ends.sound_numbers();
-    clock.open_ends = OpenEndsState::from(clock.open_ends.numbers());
-    clock.open_ends.take_sound(sound);
-    resumed.simulation->restore(saved, clock, two.simulation->wall_density_deviation());
+    resumed.restore_from(two);
     two.advance_to(0.12);
     resumed.advance_to(0.12);
     set_thread_count(threads);
-    for (const CanalRun* const other : {&two, &resumed}) {
-        EXPECT_EQ(one.ends(), other->ends());
-        EXPECT_EQ(one.simulation->particles().position, other->simulation->particles().position);
-        EXPECT_EQ(one.simulation->particles().velocity, other->simulation->particles().velocity);
-        EXPECT_EQ(one.simulation->particles().id, other->simulation->particles().id);
-    }
+    expect_same_bits(one, two);
+    expect_same_bits(one, resumed);
 }
 
 /// A valley of a sinuous bottom 60 mm wide with banks of one in one, 4 mm of waves in the middle of its

@@ -8,25 +8,15 @@
 
 #include "boundary/body_racks.hpp"
 #include "drifting_log.hpp"
-#include "solver/simulation.hpp"
-#include "solver/start.hpp"
+#include "open_run.hpp"
 
 namespace riffle {
 namespace {
 
 using ::testing::HasSubstr;
 
-struct Drift {
-    Case c;
-    std::unique_ptr<SimulationIn<2>> simulation;
-
-    explicit Drift(const std::string& text) : c(parse_case(text, "drift")) {
-        simulation =
-            make_simulation<2>(c, nullptr, initial_particles<2>(c, make_scheme(c, nullptr), nullptr));
-    }
-    void advance_to(double time) {
-        while (simulation->clock().time < time) simulation->step();
-    }
+struct Drift : test::OpenRun<2> {
+    using OpenRun::OpenRun;
     [[nodiscard]] const FreeBodyState& log() const { return simulation->clock().free_bodies.front(); }
 };
 

@@ -14,6 +14,7 @@
 #include "drifting_log.hpp"
 #include "ends/end_input.hpp"
 #include "ends/section_state.hpp"
+#include "open_run.hpp"
 #include "solver/simulation.hpp"
 #include "solver/start.hpp"
 #include "temporary_folder.hpp"
@@ -42,21 +43,7 @@ double laminar_discharge() {
     return 9.81 * std::sin(std::atan(slope)) * depth * depth * depth / (3.0 * viscosity);
 }
 
-template <int D>
-struct OpenRun {
-    Case c;
-    std::unique_ptr<SimulationIn<D>> simulation;
-
-    explicit OpenRun(const std::string& text) : OpenRun(parse_case(text, "open ends")) {}
-    explicit OpenRun(const Case& of) : c(of) {
-        simulation =
-            make_simulation<D>(c, nullptr, initial_particles<D>(c, make_scheme(c, nullptr), nullptr));
-    }
-    void advance_to(double time) {
-        while (simulation->clock().time < time) simulation->step();
-    }
-    [[nodiscard]] const OpenEndsState& ends() const { return simulation->clock().open_ends; }
-};
+using test::OpenRun;
 
 std::string inflow(double unit_discharge) {
     return "[inflow]\nunit_discharge = " + std::to_string(unit_discharge) + "\n";
@@ -491,27 +478,12 @@ TEST_P(OpenEndsBits, TheSameForAnyNumberOfThreadsAndAfterARestore) {
     two.advance_to(0.15);
     // A state in the middle, as a checkpoint keeps it.
     OpenRun<2> resumed(c);
-    Particles<2> saved = two.simulation->particles();
-    for (std::size_t k = 0; k < 2 && !two.simulation->lists_out_of_date(); ++k) {
-        saved.listed_position[k].resize(saved.size());
-        two.simulation->listed_positions(k, 0, saved.listed_position[k]);
-    }
-    SimulationClock clock = two.simulation->clock();
-    const std::vector<double> sound = clock.open_ends.sound_numbers();
-    clock.open_ends = OpenEndsState::from(clock.open_ends.numbers());
-    clock.open_ends.take_sound(sound);
-    resumed.simulation->restore(saved, clock, two.simulation->wall_density_deviation());
+    resumed.restore_from(two);
     two.advance_to(0.3);
     resumed.advance_to(0.3);
     set_thread_count(threads);
-    for (const OpenRun<2>* const other : {&two, &resumed}) {
-        EXPECT_EQ(one.ends(), other->ends());
-        EXPECT_EQ(one.simulation->particles().position, other->simulation->particles().position);
-        EXPECT_EQ(one.simulation->particles().velocity, other->simulation->particles().velocity);
-        EXPECT_EQ(one.simulation->particles().density_deviation,
-                  other->simulation->particles().density_deviation);
-        EXPECT_EQ(one.simulation->particles().id, other->simulation->particles().id);
-    }
+    expect_same_bits(one, two);
+    expect_same_bits(one, resumed);
 }
 
 // A drop that flies out of the domain, of water whose particles have come and gone since the last sample.
