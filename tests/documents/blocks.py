@@ -22,6 +22,7 @@ KNOWN = {
     "output": "what the block before, a program, prints",
     "prints": "command whose output the block is, line by line",
     "numbers": "command among whose numbers each number of the block is",
+    "checks": "of a table: the checks of tests/verification/verify.py whose norms its rows show, one for each first cell (or one for all, - for none)",
     "skip": "not tested, for this reason",
     # how
     "tier": "quick (the default) or long",
@@ -108,8 +109,9 @@ def blocks_of(text, page):
                     and not FENCE.match(lines[last]):
                 last += 1
             in_list = bool(re.match(r"\s*([-*]|\d+\.)\s", line)) or (in_list and line.startswith(" "))
-            if marker or line.startswith("|"):
-                add("table" if line.startswith("|") else "text", "", i, last)
+            table = line.lstrip().startswith("|")
+            if marker or table:
+                add("table" if table else "text", "", i, last)
             i = last
         if in_list and i < len(lines) and lines[i].strip() and not lines[i].startswith(" "):
             in_list = False

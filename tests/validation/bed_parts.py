@@ -114,7 +114,7 @@ def beds_in_space(run):
 
 def local_depth(run):
     """The local depth in uniform flow holds the bars of the initial one, and deeper water has the flow of its depth."""
-    table = Table("Mixing lengths with the local depth, condition 2, 20 to 60 s", bar_header(BARS))
+    table = Table("The depth of the mixing lengths, condition 2, 20 to 60 s", bar_header(BARS))
     row_against_bars(table, "turbulence.depth = \"local\"", run("condition-2-local", condition_case(2), dict(MINUTE, **{"turbulence.depth": '"local"'})), BARS)
     return table
 

@@ -7,7 +7,7 @@
   tests/validation/validate.py space     three dimensions: cells of a wide channel, half channels with a side wall (about half an hour)
 
 Prints one table per part and ends with status 1 when a bar is missed, or a known miss (tests/known_misses.toml) has become worse or
-has gone. --markdown FILE writes the tables too,
+has gone, or when docs/validation.md shows another number (tests/shown_tables.py; --write-pages writes the rows of today into it). --markdown FILE writes the tables too,
 --keep DIR keeps the results there, --reuse takes complete results that DIR already holds, --continue those of this binary
 alone, and goes on with runs that were broken off.
 """
@@ -21,6 +21,7 @@ import bed_parts
 import choice_parts
 import parts
 import runs
+import shown_tables
 import space_parts
 
 
@@ -36,6 +37,7 @@ def main():
     parser.add_argument("--keep", type=pathlib.Path, help="keep the results in this folder")
     runs.add_reuse_options(parser)
     parser.add_argument("--threads", type=int, default=0, help="threads of each run (default: all processors that may be used)")
+    parser.add_argument("--write-pages", action="store_true", help="write rows that have changed into docs/validation.md (look at the difference)")
     parser.add_argument("--markdown", type=pathlib.Path, help="write the tables to this file")
     arguments = parser.parse_args()
     riffle = arguments.riffle or runs.default_riffle()
@@ -53,6 +55,10 @@ def main():
             print(tables[-1].text(), flush=True)
     if arguments.markdown:
         arguments.markdown.write_text("\n".join(table.markdown() for table in tables))
+    comparison = shown_tables.Comparison(shown_tables.read(pages=["validation.md"]))
+    for name, table in zip(names, tables):
+        if name not in TIERS["quick"] and not comparison.titled(table.title, table.header, table.rows):
+            comparison.faults.append(f"no heading of docs/validation.md is the table of {name}: {table.title}")
     missed = [line for table in tables for line in table.missed]
     known = [line for table in tables for line in table.known]
     for line in known:
@@ -60,7 +66,7 @@ def main():
     for line in missed:
         print("MISSED:", line)
     print(f"{sum(table.checks for table in tables) - len(missed) - len(known)} bars held, {len(known)} known to be missed, {len(missed)} missed")
-    return 1 if missed else 0
+    return comparison.end(arguments.write_pages) or (1 if missed else 0)
 
 
 if __name__ == "__main__":

@@ -10,9 +10,12 @@ import unittest
 
 import numpy
 
-sys.path[:0] = [str(pathlib.Path(__file__).resolve().parent), str(pathlib.Path(__file__).resolve().parents[1] / "validation")]
+HERE = pathlib.Path(__file__).resolve().parent
+sys.path[:0] = [str(HERE), str(HERE.parent), str(HERE.parent / "validation")]
 
 import exact  # noqa: E402
+import on_pages  # noqa: E402
+import shown_tables  # noqa: E402
 from check import Check, known_misses, summary_table  # noqa: E402
 from neighbours import neighbour_pairs, velocity_gradients  # noqa: E402
 import runs  # noqa: E402
@@ -218,6 +221,94 @@ class Bars(unittest.TestCase):
     def test_the_page_of_known_misses_is_that_of_the_list(self):
         root = pathlib.Path(__file__).resolve().parents[2]
         self.assertEqual((root / "docs/known-misses.md").read_text(), known_misses.page(known_misses.read(), known_misses.statements()))
+
+
+PAGE = """# A page
+
+## Norms
+
+| case | error norm | bar | measured | best option set | cost |
+|---|---|---|---|---|---|
+| Tank | largest speed | 0.1 | 0.05 | as the case | 3 s of a core |
+|  | level | stated | -1.5 % |  |  |
+| Other | level | 1 % | 0.1 % |  |  |
+
+### Tank: spacings (observed order 1.91)
+
+| spacing | error % | s of a core |
+|---|---|---|
+| 2 mm | 0.25 | 4 |
+
+<!-- test: checks="tank wedge" -->
+| case | quantity | bar | measured |
+|---|---|---|---|
+| the tank | level at 3 s | 2 % | -1.5 % (1.7 % elsewhere) |
+| | speed | 0.1 | 0.05 |
+| the wedge | speed | 0.1 | 7 |
+"""
+
+
+class Pages(unittest.TestCase):
+    """What a page shows of a check: the same, and each way to be wrong."""
+
+    def check(self, speed=0.05, level=-0.015, error="0.25", title="Tank"):
+        check = Check("tank", title, "text")
+        check.norm("largest speed", speed, 0.1, "", 3)
+        check.norm("level", level, None)
+        check.best, check.cost = "as the case", "9 s of a core"
+        table = validate.parts.Table("Tank: spacings (observed order 2.04)", ["spacing", "error %", "s of a core"])
+        table.rows.append(["2 mm", error, "7"])
+        check.tables.append(table)
+        return check.judge({})
+
+    def faults(self, page=PAGE, **values):
+        self.comparison = shown_tables.Comparison(shown_tables.tables_of(page, "docs/page.md"))
+        on_pages.compare(self.check(**values), self.comparison)
+        return self.comparison.faults
+
+    def test_the_same_numbers_pass_whatever_the_computer_took(self):
+        self.assertEqual(self.faults(), [])
+        self.assertEqual(self.comparison.rows, 5)
+        self.assertEqual(self.faults(speed=0.07, level=-0.0158), [])  # a quarter of the bar; a tenth
+
+    def test_another_number_is_told_with_its_place(self):
+        fault, by_hand = self.faults(level=-0.03)
+        self.assertIn("docs/page.md:8: level: measured is -1.5 %, printed -3 %", fault)
+        self.assertIn("docs/page.md:20: the tank / level at 3 s: tank does not print -1.5", by_hand)
+        self.assertEqual(len(self.faults(level=0.015)), 2)
+        self.assertIn("error % is 0.25, printed 0.29", self.faults(error="0.29")[0])
+
+    def test_rows_that_lack_or_are_gone_are_told(self):
+        self.assertIn("no page shows Tank / level: |  | level | stated | -1.5 % |", self.faults(PAGE.replace("|  | level", "|  | height"))[0])
+        more = self.faults(PAGE.replace("| Other |", "|  | depth | stated | 1 % |  |  |\n| Other |"))
+        self.assertEqual(more, ["docs/page.md:9: Tank / depth is shown, and not printed any more"])
+        self.assertIn("no page shows 2 mm: | 2 mm | 0.25 |", self.faults(PAGE.replace("| 2 mm |", "| 3 mm |"))[0])
+
+    def test_a_mark_of_a_missed_bar_may_not_stand(self):
+        self.assertEqual(len(self.faults(PAGE.replace("0.05 | as", "0.05 ! | as"))), 1)
+
+    def test_a_check_that_no_page_shows_is_told(self):
+        self.assertEqual(self.faults("# Nothing"), ["tank: no page shows it"])
+
+    def test_rows_of_today_can_be_written(self):
+        with tempfile.TemporaryDirectory() as scratch:
+            folder = pathlib.Path(scratch)
+            (folder / "docs").mkdir()
+            (folder / "docs/page.md").write_text(PAGE)
+            self.faults(speed=0.09, error="0.5")
+            self.comparison.write(folder)
+            page = (folder / "docs/page.md").read_text()
+            self.assertIn("| Tank | largest speed | 0.1 | 0.09 | as the case | 9 s of a core |", page)
+            self.assertIn("| 2 mm | 0.5 | 7 |", page)
+            self.assertEqual([fault for fault in self.faults(page, speed=0.09, error="0.5") if "does not print" not in fault], [])
+
+    def test_the_markers_of_the_pages_name_checks(self):
+        for table in shown_tables.read():
+            if table.checks:
+                place = f"{table.page}, {table.title}"
+                self.assertLessEqual(set(table.checks) - {"-"}, set(verify.CHECKS), place)
+                if len(table.checks) > 1:
+                    self.assertEqual(len(table.checks), sum(bool(cells[0]) for _, cells in table.rows), place)
 
 
 def _known(check, **misses):

@@ -8,7 +8,8 @@
 Runs go through the program (`riffle run`), numbers come from the results files. Writes verification.html (--page FILE), one file
 with the table of error norms and bars, a figure and the budgets of each case; --markdown FILE writes the tables too, --figures DIR
 the figures as SVG. --keep DIR keeps the results there, --reuse takes complete results that DIR already holds, --continue those of this
-binary alone, and goes on with runs that were broken off. Ends with status 1 when a bar is missed that is not among the known ones (tests/known_misses.toml), or one of those has become worse or has gone.
+binary alone, and goes on with runs that were broken off. Ends with status 1 when a bar is missed that is not among the known ones (tests/known_misses.toml), or one of those has become worse or has gone,
+and when a page of the documentation shows another number of a case that was run whole (tests/shown_tables.py; --write-pages writes the rows of today into it).
 """
 
 import argparse
@@ -18,13 +19,15 @@ import subprocess
 import sys
 import tempfile
 
-sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[1] / "validation"))
+sys.path[:0] = [str(pathlib.Path(__file__).resolve().parents[1] / "validation"), str(pathlib.Path(__file__).resolve().parents[1])]
 
 import h5py  # noqa: E402
 
 import check as checks  # noqa: E402
+import on_pages  # noqa: E402
 import page  # noqa: E402
 import runs  # noqa: E402
+import shown_tables  # noqa: E402
 import bed_checks  # noqa: E402
 import body_checks  # noqa: E402
 import canal_checks  # noqa: E402
@@ -106,6 +109,7 @@ def main():
     parser.add_argument("--figures", type=pathlib.Path, help="write the figures as SVG into this folder")
     parser.add_argument("--keep", type=pathlib.Path, help="keep the results in this folder")
     runs.add_reuse_options(parser)
+    parser.add_argument("--write-pages", action="store_true", help="write rows that have changed into the pages of docs/ (look at the difference)")
     parser.add_argument("--threads", "-j", type=int, default=0, help="threads of each run (default: all processors that may be used)")
     parser.add_argument("--coarse", action="store_true", help="single names: as in the quick tier, without spacings and option sets")
     arguments = parser.parse_args()
@@ -121,6 +125,10 @@ def main():
             done.append(CHECKS[name](study).judge(complete=not study.quick))
             print(checks.text(done[-1]), flush=True)
         build = build_of(study)
+    comparison = shown_tables.Comparison(shown_tables.read())
+    if not study.quick:
+        for check in done:
+            on_pages.compare(check, comparison)
     table = checks.summary_table(done)
     budgets = checks.budget_table(done)
     arguments.page.parent.mkdir(parents=True, exist_ok=True)
@@ -138,7 +146,7 @@ def main():
     for line in table.missed:
         print("MISSED:", line)
     print(f"{table.checks - len(table.missed) - len(known)} bars held, {len(table.missed)} missed, {len(known)} known to be missed; page: {arguments.page}")
-    return 1 if table.missed else 0
+    return comparison.end(arguments.write_pages) or (1 if table.missed else 0)
 
 
 if __name__ == "__main__":
