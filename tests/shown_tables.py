@@ -96,14 +96,14 @@ class Comparison:
     def __init__(self, tables):
         self.tables, self.faults, self.lines, self.rows = tables, [], {}, 0
 
-    def _row(self, table, line, shown, printed, bars, mark=""):
-        """A row of a page against the one that is printed now; bars: of each column, or None."""
+    def _row(self, table, line, key, shown, printed, bars):
+        """A row of a page against the one that is printed now; key: what it is called; bars: of each column, or None."""
         self.rows += 1
         for column, (head, a, b) in enumerate(zip(table.header, shown, printed)):
             if NOT_COMPARED.search(head):
                 continue
             if not same_cell(a, b, bars[column]) or "!" in a.replace("!=", ""):
-                self.faults.append(f"{table.page}:{line}: {' / '.join(filter(None, shown[:2]))}: {head} is {a or 'empty'}, printed {b}")
+                self.faults.append(f"{table.page}:{line}: {' / '.join(key)}: {head} is {a or 'empty'}, printed {b}")
                 self.lines[table.page, line] = printed
 
     def _copy(self, tables, what, printed, bars_of, keys=1):
@@ -124,16 +124,16 @@ class Comparison:
                 self.faults.append(f"{what}: no page shows {' / '.join(key)}: | {' | '.join(row)} |")
                 continue
             table, line, cells = there[key]
-            self._row(table, line, cells, row, bars_of(table.header, row))
+            self._row(table, line, key, cells, row, bars_of(table.header, row))
         cases = {key[0] for key in seen}
         for key, (table, line, cells) in there.items():
             if key not in seen and (keys == 1 or key[0] in cases):
                 self.faults.append(f"{table.page}:{line}: {' / '.join(key)} is shown, and not printed any more")
 
     def titled(self, title, header, rows):
-        """A table whose title is a heading of a page, numbers of the title aside, or whose columns only one table has; False where no page has it."""
-        name = lambda text: NUMBER.sub("#", plain(text))
-        heads = lambda cells: [name(cell) for cell in cells]
+        """A table whose title is a heading of a page, an observed order in it aside, or whose columns only one table has; False where no page has it."""
+        name = lambda text: re.sub(r" \(observed order [^)]*\)", "", plain(text))
+        heads = lambda cells: [NUMBER.sub("#", plain(cell)) for cell in cells]
         tables = [table for table in self.tables if name(table.title) == name(title) and heads(table.header) == heads(header)]
         if not tables:
             tables = [table for table in self.tables if heads(table.header) == heads(header)]

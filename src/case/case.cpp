@@ -33,7 +33,8 @@ bool Case::same_parameters(const Case& other) const {
            numerics == other.numerics && start == other.start && stirring == other.stirring &&
            run == other.run && output == other.output && measured == other.measured &&
            probes == other.probes && solids == other.solids && bed_patches == other.bed_patches &&
-           vegetation == other.vegetation && porous == other.porous;
+           surface_patches == other.surface_patches && vegetation == other.vegetation &&
+           porous == other.porous;
 }
 
 }  // namespace riffle::inline case_file

@@ -322,6 +322,7 @@ struct Solid {
     std::vector<double> area_shares;  ///< their shares of the plan, from the largest on but the smallest
     SolidSurface surface = SolidSurface::no_slip;
     double equivalent_roughness = 0.0;  ///< k_s of a surface by the log law, m; 0: smooth
+    std::optional<double> manning;      ///< n at the depth of the case instead of it, s/m^(1/3)
     bool part_of_bed = false;           ///< whether the flow over it is one over a rough bed
     std::vector<double> moment_about;   ///< x, y, z of a point of it at t = 0, m; in 2D x, z; empty: centroid
     SolidMotion motion = SolidMotion::fixed;
@@ -395,6 +396,7 @@ struct Case {
     std::vector<Probe> probes;
     std::vector<Solid> solids;
     std::vector<BedPatch> bed_patches;
+    std::vector<SurfacePatch> surface_patches;
     std::vector<Vegetation> vegetation;
     std::vector<Porous> porous;
 

@@ -31,8 +31,8 @@ template <class... Args>
 }
 
 /// When a check finds something: a function of the case, or of the case and each of its probes, solids,
-/// patches of the bed or of vegetation, or porous zones, that returns what it finds, or only whether it finds
-/// something.
+/// patches of the bed, of surfaces or of vegetation, or porous zones, that returns what it finds, or only
+/// whether it finds something.
 class CheckCondition {
   public:
     template <class F>
@@ -43,6 +43,8 @@ class CheckCondition {
             bind(&Case::probes, look);
         } else if constexpr (std::invocable<F, const Case&, const BedPatch&>) {
             bind(&Case::bed_patches, look);
+        } else if constexpr (std::invocable<F, const Case&, const SurfacePatch&>) {
+            bind(&Case::surface_patches, look);
         } else if constexpr (std::invocable<F, const Case&, const Vegetation&>) {
             bind(&Case::vegetation, look);
         } else if constexpr (std::invocable<F, const Case&, const Porous&>) {

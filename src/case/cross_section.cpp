@@ -9,6 +9,7 @@
 #include <numbers>
 
 #include "case/solid_shapes.hpp"
+#include "case/surface_roughness.hpp"
 #include "case/units.hpp"
 
 namespace riffle::inline case_file {
@@ -241,7 +242,9 @@ const Solid* uneven_bed_of(const Case& c) {
 
 const Solid* canal_of(const Case& c) {
     const Solid* const solid = section_of(c);
-    if (solid == nullptr || solid->surface != SolidSurface::log_law) return nullptr;
+    if (solid == nullptr || solid->surface != SolidSurface::log_law || !has_strips_alone(c, *solid)) {
+        return nullptr;
+    }
     if (c.channel.ends == Ends::open) return solid;
     const bool uniform = c.channel.ends == Ends::periodic && c.channel.slope > 0.0 && c.solids.size() == 1;
     return uniform ? solid : nullptr;

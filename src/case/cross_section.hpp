@@ -52,8 +52,8 @@ struct WettedSides {
 [[nodiscard]] const Solid* uneven_bed_of(const Case& c);
 
 /// The one solid of a case that makes it a canal: of one cross-section all along the channel, with the
-/// friction of the log law; between periodic ends down a slope and with no solid beside it. Nothing where the
-/// case is another.
+/// friction of the log law, of one roughness or of strips all along the channel; between periodic ends down a
+/// slope and with no solid beside it. Nothing where the case is another.
 [[nodiscard]] const Solid* canal_of(const Case& c);
 
 /// Whether solids stand in a channel beside the section that makes it a canal.

@@ -11,6 +11,7 @@
 #include "case/probe_keys.hpp"
 #include "case/solid_keys.hpp"
 #include "case/start_keys.hpp"
+#include "case/surface_patch_keys.hpp"
 #include "case/units.hpp"
 #include "case/vegetation_keys.hpp"
 
@@ -179,7 +180,7 @@ std::vector<SectionKeys> make_table() {
     std::vector<SectionKeys> table = channel_keys();
     for (auto* const section :
          {inflow_keys, outflow_keys, numerics_keys, start_keys, stirring_keys, run, output, measured,
-          solid_keys, bed_patch_keys, vegetation_keys, porous_keys, probe_keys}) {
+          solid_keys, surface_patch_keys, bed_patch_keys, vegetation_keys, porous_keys, probe_keys}) {
         table.push_back(section());
     }
     return table;

@@ -32,6 +32,24 @@ struct BedPatch {
     bool operator==(const BedPatch&) const = default;
 };
 
+/// [[surface_patch]]: a part of a solid whose surface has the log law that is rough in another way than the
+/// rest of it: all of its surface that lies in a range or an outline in plan. What follows from its keys:
+/// case/surface_roughness.hpp.
+struct SurfacePatch {
+    std::string name;
+    std::string solid;                           ///< name of the [[solid]]
+    std::optional<double> equivalent_roughness;  ///< k_s, m; 0: smooth
+    std::optional<double> manning;               ///< n at the depth of the case instead of it, s/m^(1/3)
+    std::optional<double> x_from;                ///< m; unset: the whole channel
+    std::optional<double> x_to;
+    std::optional<double> y_from;
+    std::optional<double> y_to;
+    std::vector<double> x;  ///< 3D: corners of its outline in plan, m, in place of the four
+    std::vector<double> y;
+
+    bool operator==(const SurfacePatch&) const = default;
+};
+
 /// [[vegetation]]: stems that stand in the water, of one kind, in a part of the channel.
 struct Vegetation {
     std::string name;

@@ -44,14 +44,14 @@ const Place& place_of(const CaseCheck& check, const CaseFinding& finding, const 
 
 const std::vector<CheckList>& refusals() {
     static const std::vector<CheckList> lists{
-        bed_refusals(),          wall_law_refusals(), channel_refusals(),    open_end_refusals(),
-        open_section_refusals(), inflow_refusals(),   closed_end_refusals(), plane_refusals(),
-        space_refusals(),        sphere_refusals(),   side_wall_refusals(),  method_refusals(),
-        reference_refusals(),    start_refusals(),    water_refusals(),      run_refusals(),
-        output_refusals(),       solid_refusals(),    shape_refusals(),      solid_surface_refusals(),
-        outline_refusals(),      mesh_refusals(),     turning_refusals(),    motion_refusals(),
-        free_body_refusals(),    blockage_refusals(), bed_patch_refusals(),  vegetation_refusals(),
-        porous_refusals(),       probe_refusals()};
+        bed_refusals(),          wall_law_refusals(), channel_refusals(),       open_end_refusals(),
+        open_section_refusals(), inflow_refusals(),   closed_end_refusals(),    plane_refusals(),
+        space_refusals(),        sphere_refusals(),   side_wall_refusals(),     method_refusals(),
+        reference_refusals(),    start_refusals(),    water_refusals(),         run_refusals(),
+        output_refusals(),       solid_refusals(),    shape_refusals(),         solid_surface_refusals(),
+        outline_refusals(),      mesh_refusals(),     turning_refusals(),       motion_refusals(),
+        free_body_refusals(),    blockage_refusals(), surface_patch_refusals(), bed_patch_refusals(),
+        vegetation_refusals(),   porous_refusals(),   probe_refusals()};
     return lists;
 }
 

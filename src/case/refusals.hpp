@@ -60,6 +60,7 @@ void refuse_to_run(const Case& c);
 [[nodiscard]] CheckList motion_refusals();     ///< solids that move
 [[nodiscard]] CheckList free_body_refusals();  ///< solids that are free
 [[nodiscard]] CheckList blockage_refusals();   ///< solids that close a channel
+[[nodiscard]] CheckList surface_patch_refusals();  ///< parts of solids of another roughness
 [[nodiscard]] CheckList bed_patch_refusals();
 [[nodiscard]] CheckList vegetation_refusals();
 [[nodiscard]] CheckList porous_refusals();

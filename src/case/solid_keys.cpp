@@ -237,6 +237,15 @@ SectionKeys solid_keys() {
                          .at_least(0)
                          .with_example(R"("2 mm")")
                          .applies_with("solid.surface", {"log-law"}, true));
+    s.keys.push_back(key("manning", &Solid::manning,
+                         "Manning's n of its surface, that of uniform flow at the depth of the case, "
+                         "s/m^(1/3), in place of `equivalent_roughness`.")
+                         .at_least(0.001)
+                         .at_most(1)
+                         .because("glass has 0.009, floodplains with trees 0.2")
+                         .unset_by("none", "from `equivalent_roughness`")
+                         .with_example("0.015")
+                         .applies_with("solid.surface", {"log-law"}, true));
     s.keys.push_back(
         key("part_of_bed", &Solid::part_of_bed,
             "Whether it belongs to the bed: the flow over it is that over a rough bed, whose crests and "

@@ -7,6 +7,7 @@
 #include "case/outline_check.hpp"
 #include "case/refusals.hpp"
 #include "case/solid_places.hpp"
+#include "case/surface_roughness.hpp"
 #include "case/units.hpp"
 
 namespace riffle::inline case_file {
@@ -103,23 +104,44 @@ CheckList solid_surface_refusals() {
              return found_if(by_log_law(solid) && covers && has_wall_law(c),
                              "its surface and the bed have a log law");
          }},
+        {{"solid.manning", "solid.equivalent_roughness"},
+         "`manning` of a solid beside its `equivalent_roughness`",
+         "either tells how rough it is",
+         "keep one of them",
+         [](const Case&, const Solid& solid) {
+             return found_if(by_log_law(solid) && solid.manning && solid.equivalent_roughness > 0.0,
+                             "both are given");
+         }},
+        {{"solid.manning", "channel.depth"},
+         "a `manning` of a solid that no roughness up to the depth of the case has",
+         "",
+         "give another n, or equivalent_roughness",
+         [](const Case& c, const Solid& solid) {
+             return found_if(
+                 by_log_law(solid) && solid.manning && !roughness_of_surface_manning(c, *solid.manning),
+                 "no k_s up to the depth of {} has n = {:g}", shown_length(c.total_depth()),
+                 solid.manning.value_or(0.0));
+         },
+         true},
         {{"solid.equivalent_roughness", "fluid.kinematic_viscosity"},
          R"(a smooth `surface = "log-law"` without viscosity)",
          "the friction of a smooth wall is that of its viscous layer",
          "give the viscosity of the water, 1e-6, or an equivalent_roughness",
          [](const Case& c, const Solid& solid) {
-             return found_if(
-                 by_log_law(solid) && solid.equivalent_roughness <= 0.0 && c.fluid.kinematic_viscosity <= 0.0,
-                 "its surface is smooth, and the water has no viscosity");
+             return found_if(by_log_law(solid) && surface_roughness(c, solid) <= 0.0 &&
+                                 c.fluid.kinematic_viscosity <= 0.0,
+                             "its surface is smooth, and the water has no viscosity");
          }},
-        {{"solid.equivalent_roughness", "numerics.spacing"},
+        {{"solid.equivalent_roughness", "solid.manning", "numerics.spacing"},
          "`equivalent_roughness` of a solid above three spacings",
          "the friction acts in a layer of three spacings, in which the log law must have begun",
          "make the roughness smaller or the spacing larger, or give the roughness its shape",
          [](const Case& c, const Solid& solid) {
-             return found_if(by_log_law(solid) && solid.equivalent_roughness > solid_friction_layer(c),
-                             "equivalent_roughness is {}, three spacings are {}",
-                             shown_length(solid.equivalent_roughness), shown_length(solid_friction_layer(c)));
+             const double roughness = surface_roughness(c, solid);
+             return found_if(by_log_law(solid) && roughness > solid_friction_layer(c),
+                             "{} is {}, three spacings are {}",
+                             solid.manning ? "the k_s of its manning" : "equivalent_roughness",
+                             shown_length(roughness), shown_length(solid_friction_layer(c)));
          }},
     }};
 }

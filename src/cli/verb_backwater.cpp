@@ -12,6 +12,7 @@
 #include "case/case.hpp"
 #include "case/cross_section.hpp"
 #include "case/flow_kind.hpp"
+#include "case/surface_roughness.hpp"
 #include "cli/backwater_figure.hpp"
 #include "cli/backwater_output.hpp"
 #include "cli/case_argument.hpp"
@@ -137,7 +138,15 @@ SteadyChannel channel_of(const GivenFriction& friction, const Case& c, double q)
     if (const auto& k = friction.equivalent_roughness; k && shape) {
         return colebrook_channel(c.channel.slope, c.fluid.gravity, q, *k, c.fluid.kinematic_viscosity, shape);
     }
-    if (is_canal(c)) return canal_channel(c, q);
+    if (is_canal(c)) {
+        if (!has_strips_alone(c, *section_of(c))) {
+            throw InputError(
+                "a [[surface_patch]] of the canal lies in a part of its length, or has an outline: the friction of one "
+                "section all along is not known. Give --manning or --equivalent-roughness, or let the patch reach from "
+                "end to end");
+        }
+        return canal_channel(c, q);
+    }
     if (const auto& k = friction.equivalent_roughness) {
         return rough_channel(c.channel.slope, c.fluid.gravity, q, *k);
     }
@@ -164,7 +173,14 @@ std::string friction_text(const GivenFriction& friction, const Case& c) {
         return section_of(c) != nullptr ? by_radius(*k)
                                         : fmt::format("rough log law, k_s {} m", printed_number(*k));
     }
-    if (is_canal(c)) return by_radius(section_of(c)->equivalent_roughness);
+    if (is_canal(c)) {
+        const Solid& canal = *section_of(c);
+        const std::size_t patches = patches_on(c, canal).size();
+        return by_radius(surface_roughness(c, canal)) +
+               (patches > 0
+                    ? fmt::format(", {} patch{} by the velocities across", patches, patches > 1 ? "es" : "")
+                    : "");
+    }
     return has_section_reach(c) ? "section twin, between side walls" : "column twin";
 }
 

@@ -81,6 +81,23 @@ nlohmann::ordered_json bed_patches_json(const Forecast& f) {
     return list;
 }
 
+void print_surface_patches(const Forecast& f) {
+    for (const SurfacePatchForecast& patch : f.surface_patches) {
+        print_row("patch of a surface", fmt::format("{}: {}, k_s = {:.4g} mm", patch.name, patch.solid,
+                                                    1e3 * patch.equivalent_roughness));
+    }
+}
+
+nlohmann::ordered_json surface_patches_json(const Forecast& f) {
+    auto list = nlohmann::ordered_json::array();
+    for (const SurfacePatchForecast& patch : f.surface_patches) {
+        list.push_back({{"name", patch.name},
+                        {"solid", patch.solid},
+                        {"equivalent_roughness", patch.equivalent_roughness}});
+    }
+    return list;
+}
+
 void print_vegetation(const Forecast& f) {
     for (const VegetationForecast& stems : f.vegetation) {
         print_row("vegetation",
@@ -199,6 +216,7 @@ void print_forecast(const Case& c, const Forecast& f) {
     }
     print_canal(f);
     print_bed_patches(f);
+    print_surface_patches(f);
     print_vegetation(f);
     print_porous(f);
     print_row("simulated time",
@@ -239,6 +257,7 @@ void print_json(const Case& c, const Forecast& f, const std::vector<std::string>
                                          {"racks", f.racks},
                                          {"canal", canal_json(f)},
                                          {"bed_patches", bed_patches_json(f)},
+                                         {"surface_patches", surface_patches_json(f)},
                                          {"vegetation", vegetation_json(f)},
                                          {"porous", porous_json(f)},
                                          {"probes", probes_json(f)},

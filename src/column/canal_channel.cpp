@@ -7,6 +7,7 @@
 
 #include "base/interpolation.hpp"
 #include "case/cross_section.hpp"
+#include "case/surface_roughness.hpp"
 #include "hydraulics/channel_laws.hpp"
 
 namespace riffle::inline column {
@@ -39,6 +40,13 @@ CrossSection part_of(const CrossSection& section, double from, double to) {
 
 /// Strips by which the velocities across a canal are found.
 constexpr int strips_across = 80;
+
+/// Discharge of velocities over strips, over the width of one, m2/s.
+double discharge_of(const std::vector<LateralStrip>& strips, const std::vector<double>& velocities) {
+    double sum = 0.0;
+    for (std::size_t i = 0; i < strips.size(); ++i) sum += std::max(0.0, strips[i].depth) * velocities[i];
+    return sum;
+}
 
 /// Coefficients of momentum and energy of velocities over strips.
 std::pair<double, double> coefficients_of(const SectionStrips& strips,
@@ -105,7 +113,8 @@ SectionStrips section_strips(const Case& c, const Solid& solid, double depth, in
         const CrossSection part = part_of(section, i * width, (i + 1) * width);
         const WettedSection wet = wetted_section(part, level);
         const double side = (i == 0 ? sides.left : 0.0) + (i + 1 == count ? sides.right : 0.0);
-        strips.strips.push_back({wet.area / width, (wet.perimeter + side) / width});
+        strips.strips.push_back({wet.area / width, (wet.perimeter + side) / width,
+                                 surface_roughness_at(c, solid, (i + 0.5) * width)});
         const CrossSection middle = part_of(section, i * width, (i + 0.5) * width);
         strips.bed.push_back(middle.levels.back() - lowest);
     }
@@ -113,34 +122,75 @@ SectionStrips section_strips(const Case& c, const Solid& solid, double depth, in
 }
 
 std::vector<double> canal_velocities(const Case& c, const SectionStrips& strips, double slope) {
-    return lateral_profile(strips.strips, strips.width, c.fluid.gravity * slope,
-                           section_of(c)->equivalent_roughness, c.fluid.kinematic_viscosity);
+    return lateral_profile(strips.strips, strips.width, c.fluid.gravity * slope, c.fluid.kinematic_viscosity);
 }
+
+double share_of_patches(const Case& c, double depth) {
+    const Solid& canal = *section_of(c);
+    if (patches_on(c, canal).empty()) return 1.0;
+    // The slope drops out, but for viscosity.
+    constexpr double of_level_channel = 1e-3;
+    const double gravity =
+        c.streamwise_gravity() > 0.0 ? c.streamwise_gravity() : c.fluid.gravity * of_level_channel;
+    SectionStrips strips = section_strips(c, canal, depth, strips_across);
+    const auto discharge = [&] {
+        return discharge_of(strips.strips, lateral_profile(strips.strips, strips.width, gravity,
+                                                           c.fluid.kinematic_viscosity));
+    };
+    const double with_patches = discharge();
+    for (LateralStrip& strip : strips.strips) strip.equivalent_roughness = surface_roughness(c, canal);
+    const double without = discharge();
+    return without > 0.0 ? with_patches / without : 1.0;
+}
+
+namespace {
+
+/// Depths over which what follows from the strips of a section is interpolated, m.
+std::vector<double> depths_of_strips(const Case& c, double least_depth) {
+    constexpr int depths = 120;
+    constexpr double lowest_share = 0.02;  // of the case's depth
+    constexpr double highest_share = 6.0;
+    std::vector<double> depth;
+    for (int i = 0; i < depths; ++i) {
+        const double share = static_cast<double>(i) / (depths - 1);
+        const double h = c.total_depth() * lowest_share * std::pow(highest_share / lowest_share, share);
+        if (h >= least_depth) depth.push_back(h);
+    }
+    return depth;
+}
+
+}  // namespace
 
 SteadyChannel canal_by_radius(const Case& c, double unit_discharge) {
     const Solid& canal = *section_of(c);
-    return colebrook_channel(c.channel.slope, c.fluid.gravity, unit_discharge, canal.equivalent_roughness,
-                             c.fluid.kinematic_viscosity, shape_of_section(c, canal));
+    SteadyChannel channel =
+        colebrook_channel(c.channel.slope, c.fluid.gravity, unit_discharge, surface_roughness(c, canal),
+                          c.fluid.kinematic_viscosity, shape_of_section(c, canal));
+    if (patches_on(c, canal).empty()) return channel;
+    const std::vector<double> depth = depths_of_strips(c, channel.least_depth);
+    if (depth.empty()) return channel;
+    std::vector<double> share;
+    for (const double h : depth) share.push_back(share_of_patches(c, h));
+    channel.state = [by_radius = channel.state, depth, share](double h) {
+        SectionState state = by_radius(h);
+        const double of_patches = place_in(depth, h).in(share);
+        state.friction_slope /= of_patches * of_patches;
+        return state;
+    };
+    return channel;
 }
 
 SteadyChannel canal_channel(const Case& c, double unit_discharge) {
     const Solid& canal = *section_of(c);
     SteadyChannel channel = canal_by_radius(c, unit_discharge);
     // What the velocities across add, at depths from which it is interpolated.
-    constexpr int depths = 120;
-    constexpr double lowest_share = 0.02;  // of the case's depth
-    constexpr double highest_share = 6.0;
-    std::vector<double> depth;
+    const std::vector<double> depth = depths_of_strips(c, channel.least_depth);
     std::vector<double> momentum;
     std::vector<double> energy;
-    for (int i = 0; i < depths; ++i) {
-        const double share = static_cast<double>(i) / (depths - 1);
-        const double h = c.total_depth() * lowest_share * std::pow(highest_share / lowest_share, share);
-        if (h < channel.least_depth) continue;
+    for (const double h : depth) {
         const SectionStrips strips = section_strips(c, canal, h, strips_across);
         const auto [beta, alpha] =
             coefficients_of(strips, canal_velocities(c, strips, channel.state(h).friction_slope));
-        depth.push_back(h);
         momentum.push_back(beta);
         energy.push_back(alpha);
     }
@@ -160,8 +210,8 @@ double canal_uniform_discharge(const Case& c, double depth) {
 }
 
 double canal_uniform_discharge(const Case& c, const SectionShape& shape, double depth) {
-    return shape.area(depth) *
-           colebrook_white_velocity(c.streamwise_gravity(), section_of(c)->equivalent_roughness,
+    return shape.area(depth) * share_of_patches(c, depth) *
+           colebrook_white_velocity(c.streamwise_gravity(), surface_roughness(c, *section_of(c)),
                                     shape.hydraulic_radius(depth), c.fluid.kinematic_viscosity, full_pipe);
 }
 

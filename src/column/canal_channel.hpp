@@ -14,12 +14,17 @@ namespace riffle::inline column {
 [[nodiscard]] std::shared_ptr<const SectionShape> shape_of_section(const Case& c, const Solid& section);
 
 /// A channel whose section (section_of()) has the friction of the log law, with a discharge over the width of
-/// its channel (m2/s) and the friction of Colebrook and White for its hydraulic radius, as canal_flow(); the
-/// coefficients of momentum and energy are those of the velocities across it by lateral_profile().
+/// its channel (m2/s) and the friction of Colebrook and White for its hydraulic radius, as canal_flow(),
+/// which patches of another roughness change as they change the velocities across; the coefficients of
+/// momentum and energy are those of the velocities across it by lateral_profile().
 [[nodiscard]] SteadyChannel canal_channel(const Case& c, double unit_discharge);
 
 /// The same without what the velocities across it add: even coefficients.
 [[nodiscard]] SteadyChannel canal_by_radius(const Case& c, double unit_discharge);
+
+/// Discharge of uniform flow with the patches on the section of a canal over that without, at a depth (m): of
+/// the velocities across it by lateral_profile(). 1 without patches.
+[[nodiscard]] double share_of_patches(const Case& c, double depth);
 
 /// Discharge of uniform flow in such a channel at a depth (m), over its width, m2/s.
 [[nodiscard]] double canal_uniform_discharge(const Case& c, double depth);

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "case/surface_roughness.hpp"
+#include "column/canal_channel.hpp"
 #include "hydraulics/channel_laws.hpp"
 
 namespace riffle::inline column {
@@ -13,6 +15,7 @@ std::optional<CanalFlow> canal_flow(const Case& c) {
     CanalFlow flow;
     const CrossSection section = cross_section(c, *canal);
     const double level = c.total_depth();
+    const double lowest = *std::min_element(section.levels.begin(), section.levels.end());
     flow.wet = wetted_section(section, level);
     const WettedSides sides = wetted_sides(c, section, level);
     flow.wet.perimeter += sides.left + sides.right;
@@ -24,7 +27,8 @@ std::optional<CanalFlow> canal_flow(const Case& c) {
     if (flow.wet.area <= 0.0) return std::nullopt;
     flow.hydraulic_radius = flow.wet.area / flow.wet.perimeter;
     // A smooth canal without viscosity holds nothing back.
-    flow.velocity = colebrook_white_velocity(c.streamwise_gravity(), canal->equivalent_roughness,
+    flow.velocity = share_of_patches(c, level - lowest) *
+                    colebrook_white_velocity(c.streamwise_gravity(), surface_roughness(c, *canal),
                                              flow.hydraulic_radius, c.fluid.kinematic_viscosity, full_pipe);
     if (!(flow.velocity > 0.0 && std::isfinite(flow.velocity))) return std::nullopt;
     flow.discharge = flow.velocity * flow.wet.area;

@@ -9,7 +9,7 @@ namespace riffle::inline column {
 
 /// Uniform flow in a canal of one cross-section by the equation of Colebrook and White with the constants of
 /// a pipe and the hydraulic radius of the section: what the engineer's formula says, not a solution of the
-/// flow.
+/// flow. Patches of another roughness change it as share_of_patches().
 struct CanalFlow {
     WettedSection wet;              ///< of the whole width; the perimeter of all that holds the water back
     double hydraulic_radius = 0.0;  ///< m

@@ -10,15 +10,18 @@
 #include "case/bed_friction.hpp"
 #include "case/end_buffers.hpp"
 #include "case/solid_volume.hpp"
+#include "case/surface_roughness.hpp"
 #include "engine/component.hpp"
 #include "engine/pass_order.hpp"
 #include "roughness/log_law_friction.hpp"
+#include "roughness/patch_area.hpp"
 
 namespace riffle::inline components {
 
 /// The friction of solids whose surface has a log law: a drag on the water in a layer beside each, by the
-/// speed of each particle past the surface. Of a particle that the edge of the layer cuts acts the share
-/// within. It is a force of walls, and that on the solid is booked with its friction.
+/// speed of each particle past the surface, on patches by their own roughness. Of a particle that the edge of
+/// the layer cuts acts the share within. It is a force of walls, and that on the solid is booked with its
+/// friction.
 template <int D, class Real>
 class SolidFriction final : public Component<D, Real> {
   public:
@@ -32,7 +35,11 @@ class SolidFriction final : public Component<D, Real> {
         for (std::size_t k = 0; k < flow.c.solids.size(); ++k) {
             const Solid& solid = flow.c.solids[k];
             if (solid.surface == SolidSurface::log_law) {
-                surfaces_.push_back({k, solid_friction(flow.c, solid), moment_point(flow.c, solid)});
+                surfaces_.push_back({k, solid_friction(flow.c, solid), moment_point(flow.c, solid), {}});
+                for (const SurfacePatch* const patch : patches_on(flow.c, solid)) {
+                    surfaces_.back().patches.push_back(
+                        {PatchArea(flow.c, *patch), solid_friction(flow.c, *patch)});
+                }
             }
         }
     }
@@ -68,11 +75,32 @@ class SolidFriction final : public Component<D, Real> {
     }
 
   private:
+    /// A part of a surface that is rough in another way.
+    struct Patch {
+        PatchArea area;
+        LogLawFriction friction;
+    };
     struct Surface {
         std::size_t solid;
         LogLawFriction friction;
         Point3 about;  ///< what moments on it are about, at t = 0
+        std::vector<Patch> patches;
     };
+
+    /// beta, 1/m, at a place: at the edge of a patch a particle has shares of both.
+    [[nodiscard]] double coefficient(const Surface& surface, const Flow& flow, std::size_t i,
+                                     double square) const {
+        double outside = 1.0;
+        double inside = 0.0;
+        for (const Patch& patch : surface.patches) {
+            const auto& position = flow.particles.position;
+            const double share = patch.area.share(position[0][i], across_of<D>(position, i), width_);
+            if (share <= 0.0) continue;
+            outside -= share;
+            inside += share * patch.friction.coefficient(square);
+        }
+        return outside > 0.0 ? inside + outside * surface.friction.coefficient(square) : inside;
+    }
 
     void hold_back(const Flow& flow, Task& task, const Surface& surface, std::size_t i, std::size_t lane,
                    BodyLoad& load) const {
@@ -90,7 +118,7 @@ class SolidFriction final : public Component<D, Real> {
             past[k] -= of_surface[k];
             square += past[k] * past[k];
         }
-        const double rate = share * surface.friction.coefficient(square) * std::sqrt(square);
+        const double rate = share * coefficient(surface, flow, i, square) * std::sqrt(square);
         // That of the explicit step to the second order, and never more than what brings the water to rest.
         const double limited = rate / std::sqrt(1.0 + step_ * step_ * rate * rate);
         Vec<D> force{};

@@ -13,27 +13,30 @@ namespace riffle::inline ends {
 /// for all time.
 class CanalFlowProfile final : public EnteringFlow {
   public:
-    /// u over its mean above a place, at a height over the bed there in water of a depth there, m.
-    using Law = std::function<double(double height, double depth)>;
+    /// u over its mean above a place, at a height over the bed there in water of a depth there over a bed of
+    /// a roughness there, m.
+    using Law = std::function<double(double height, double depth, double roughness)>;
 
     /// Of water of a depth over the lowest point of the section (m), whose velocities are known in the
-    /// middles of strips across the channel, m/s. Nothing enters nearer to the bed than `least_height` (m):
-    /// where the water is deeper than that, a place close over a bank would stand below it.
+    /// middles of strips across the channel, m/s, and the roughness of the bed there, m. Nothing enters
+    /// nearer to the bed than `least_height` (m): where the water is deeper than that, a place close over a
+    /// bank would stand below it.
     CanalFlowProfile(double width, double depth, double least_height, std::vector<double> bed,
-                     std::vector<double> velocity, Law law);
+                     std::vector<double> velocity, std::vector<double> roughness, Law law);
 
     [[nodiscard]] double mean_at(double y, double place) const override;
     [[nodiscard]] double largest() const override { return largest_; }
     [[nodiscard]] std::size_t bytes() const override {
-        return (bed_.capacity() + velocity_.capacity()) * sizeof(double);
+        return (bed_.capacity() + velocity_.capacity() + roughness_.capacity()) * sizeof(double);
     }
 
   private:
     double width_;  ///< of the simulated channel, m
     double depth_;
     double least_height_;
-    std::vector<double> bed_;       ///< over the lowest point, m
-    std::vector<double> velocity_;  ///< over the mean of the section
+    std::vector<double> bed_;        ///< over the lowest point, m
+    std::vector<double> velocity_;   ///< over the mean of the section
+    std::vector<double> roughness_;  ///< k_s, m
     Law law_;
     double largest_ = 1.0;
 };

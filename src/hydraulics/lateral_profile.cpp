@@ -25,15 +25,14 @@ double friction_of(double depth, double gravity_component, double equivalent_rou
 }  // namespace
 
 std::vector<double> lateral_profile(const std::vector<LateralStrip>& strips, double width,
-                                    double gravity_component, double equivalent_roughness,
-                                    double kinematic_viscosity) {
+                                    double gravity_component, double kinematic_viscosity) {
     const std::size_t count = strips.size();
     std::vector<double> friction(count, 0.0);
     std::vector<double> exchange(count, 0.0);
     for (std::size_t i = 0; i < count; ++i) {
         if (strips[i].depth <= 0.0) continue;
-        friction[i] =
-            friction_of(strips[i].depth, gravity_component, equivalent_roughness, kinematic_viscosity);
+        friction[i] = friction_of(strips[i].depth, gravity_component, strips[i].equivalent_roughness,
+                                  kinematic_viscosity);
         exchange[i] = 0.5 * lambda * strips[i].depth * strips[i].depth * std::sqrt(friction[i] / 8.0);
     }
     // Linear in U^2, for U dU/dy is half of its gradient; three diagonals, solved from one side and back.

@@ -7,8 +7,9 @@ namespace riffle::inline hydraulics {
 /// A strip of a cross-section along the channel: the mean depth of its water and the wetted perimeter of its
 /// bed, banks and upright faces, over its width.
 struct LateralStrip {
-    double depth = 0.0;      ///< m; 0: dry
-    double perimeter = 0.0;  ///< over the width of the strip
+    double depth = 0.0;                 ///< m; 0: dry
+    double perimeter = 0.0;             ///< over the width of the strip
+    double equivalent_roughness = 0.0;  ///< k_s of what the water wets, m; 0: smooth
 };
 
 /// Depth-mean velocities of uniform flow over strips of equal width (m) side by side, m/s: the balance of
@@ -17,7 +18,6 @@ struct LateralStrip {
 /// secondary flow. No shear at the outer edges and along dry strips. `gravity_component`: g S, m/s2, greater
 /// than 0.
 [[nodiscard]] std::vector<double> lateral_profile(const std::vector<LateralStrip>& strips, double width,
-                                                  double gravity_component, double equivalent_roughness,
-                                                  double kinematic_viscosity);
+                                                  double gravity_component, double kinematic_viscosity);
 
 }  // namespace riffle::inline hydraulics

@@ -33,9 +33,9 @@ void draw_legend(SvgSheet& sheet, const Case& c, double y) {
     if (!c.solids.empty()) {
         swatch(fmt::format(R"(fill="{}" stroke="#1b2026")", solid_colour(c, 0)), "solids");
     }
-    if (!c.bed_patches.empty()) {
+    if (!c.bed_patches.empty() || !c.surface_patches.empty()) {
         swatch(fmt::format(R"(fill="{0}" fill-opacity="0.75" stroke="{0}")", patch_colour),
-               "patches of the bed");
+               c.surface_patches.empty() ? "patches of the bed" : "patches of another roughness");
     }
     if (!c.vegetation.empty()) {
         swatch(fmt::format(R"(fill="{0}" fill-opacity="0.4" stroke="{0}")", stem_colour), "vegetation");

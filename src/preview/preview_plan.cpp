@@ -275,6 +275,11 @@ void draw_plan(SvgSheet& sheet, const Case& c, const PreviewPlan& plan, const Sh
                    R"(class="halo" font-weight="600")");
     }
     for (const BedPatch& patch : c.bed_patches) name_outline(sheet, view, plan_outline(c, patch), patch.name);
+    for (const SurfacePatch& patch : c.surface_patches) {
+        const Outline outline = plan_outline(c, patch);
+        draw_patch(outline, patch_colour, 0.3);
+        name_outline(sheet, view, outline, patch.name);
+    }
     for (const Vegetation& patch : c.vegetation) {
         const Outline outline = plan_outline(c, patch);
         draw_patch(outline, stem_colour, 0.22);

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "case/bed_friction.hpp"
+#include "case/surface_roughness.hpp"
 #include "turbulence/wall_law.hpp"
 
 namespace riffle::inline roughness {
@@ -20,7 +21,11 @@ LogLawFriction side_wall_friction(const Case& c) {
 }
 
 LogLawFriction solid_friction(const Case& c, const Solid& solid) {
-    return {c, solid_friction_layer(c), solid.equivalent_roughness};
+    return {c, solid_friction_layer(c), surface_roughness(c, solid)};
+}
+
+LogLawFriction solid_friction(const Case& c, const SurfacePatch& patch) {
+    return {c, solid_friction_layer(c), surface_roughness(c, patch)};
 }
 
 double LogLawFriction::coefficient(double square) const {

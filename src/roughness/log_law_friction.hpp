@@ -31,5 +31,7 @@ class LogLawFriction {
 
 /// Of a solid with surface = "log-law": its layer is three spacings thick.
 [[nodiscard]] LogLawFriction solid_friction(const Case& c, const Solid& solid);
+/// Of a patch on such a solid.
+[[nodiscard]] LogLawFriction solid_friction(const Case& c, const SurfacePatch& patch);
 
 }  // namespace riffle::inline roughness

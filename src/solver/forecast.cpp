@@ -12,6 +12,7 @@
 #include "boundary/body_racks.hpp"
 #include "case/bed_patch.hpp"
 #include "case/flow_kind.hpp"
+#include "case/surface_roughness.hpp"
 #include "case/words.hpp"
 #include "column/twin_channel.hpp"
 #include "instruments/probe_set.hpp"
@@ -220,6 +221,9 @@ Forecast forecast_in(const Case& c) {
     f.end_time = c.run.time;
     f.relaxation_time = tested_relaxation_time(c, twins);
     for (const BedPatch& patch : c.bed_patches) f.bed_patches.push_back(forecast_of(c, patch));
+    for (const SurfacePatch& patch : c.surface_patches) {
+        f.surface_patches.push_back({patch.name, patch.solid, surface_roughness(c, patch)});
+    }
     for (const Vegetation& stems : c.vegetation) {
         const ReferenceDrag reference = reference_drag(c, stems);
         f.vegetation.push_back({stems.name, stems.frontal_area(), stems.solid_fraction(), reference.speed,

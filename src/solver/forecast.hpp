@@ -31,6 +31,13 @@ struct BedPatchForecast {
     double velocity = 0.0;  ///< depth mean of the uniform flow over such a bed, m/s; 0 without one
 };
 
+/// What follows from the keys of a patch of the surface of a solid.
+struct SurfacePatchForecast {
+    std::string name;
+    std::string solid;
+    double equivalent_roughness = 0.0;  ///< k_s, m
+};
+
 /// What follows from the keys of a patch of vegetation.
 struct VegetationForecast {
     std::string name;
@@ -80,6 +87,7 @@ struct Forecast {
     std::vector<RecordForecast> parts;  ///< of disk_bytes
     std::optional<double> relaxation_time;
     std::vector<BedPatchForecast> bed_patches;
+    std::vector<SurfacePatchForecast> surface_patches;
     std::vector<VegetationForecast> vegetation;
     std::vector<PorousForecast> porous;
     std::optional<CanalFlow> canal;  ///< of a canal of one cross-section

@@ -272,8 +272,8 @@ class CommandLine(CommandLineTest):
         self.assertIsNone(json.loads(self.succeed("check", CASE, "--json", *SMALL, *until(1)).stdout)["ends"])
 
     def test_every_case_in_the_tree_is_valid(self):
-        """Those of up to 26 000 particles; that the others can be read is a unit test (ShippedCases.AllParse)."""
-        cases = sorted(case for case in SOURCE.glob("cases/**/*.toml") if places_of(case) < 2.6e4)
+        """Those of up to 13 000 particles; that the others can be read is a unit test (ShippedCases.AllParse)."""
+        cases = sorted(case for case in SOURCE.glob("cases/**/*.toml") if places_of(case) < 1.3e4)
         self.assertGreater(len(cases), 60)
         self.assertTrue(any(tomllib.loads(case.read_text())["channel"].get("dimensions") == 3 for case in cases))
         self.assertTrue(any(tomllib.loads(case.read_text()).get("start", {}).get("packed") for case in cases))

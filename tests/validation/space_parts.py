@@ -189,10 +189,12 @@ def canals(run):
     filled = 2 * math.acos(1 - 0.15 / 0.2)  # angle of the pipe's water
     # Area and wetted perimeter of each part, the upright planes between parts without friction.
     main, plain = (0.275 * 0.075 + 0.35 * 0.075, 0.2 + 2 * math.sqrt(2) * 0.075), (0.125 * 0.075 + 0.5 * 0.075**2, 0.125 + math.sqrt(2) * 0.075)
-    for case, label, parts, bar in (("canal", "banks 1:1, bottom 300 mm", [(0.15 * 0.45, 0.3 + 2 * math.sqrt(2) * 0.15)], 0.05),
-                                    ("canal-upright", "upright banks, bottom 300 mm", [(0.15 * 0.3, 0.6)], 0.05),
-                                    ("pipe", "pipe of 400 mm", [(0.02 * (filled - math.sin(filled)), 0.2 * filled)], 0.05),
-                                    ("canal-compound", "compound, by parts", [main, plain, plain], 0.1)):
+    concrete, gravel = (0.001,), (0.01,)
+    for case, label, parts, bar in (("canal", "banks 1:1, bottom 300 mm", [(0.15 * 0.45, 0.3 + 2 * math.sqrt(2) * 0.15) + concrete], 0.05),
+                                    ("canal-upright", "upright banks, bottom 300 mm", [(0.15 * 0.3, 0.6) + concrete], 0.05),
+                                    ("pipe", "pipe of 400 mm", [(0.02 * (filled - math.sin(filled)), 0.2 * filled) + concrete], 0.05),
+                                    ("canal-compound", "compound, by parts", [main + concrete] + 2 * [plain + concrete], 0.1),
+                                    ("canal-rough-floodplains", "compound, by parts, floodplains of 10 mm", [main + concrete] + 2 * [plain + gravel], 0.1)):
         label += ", dx 12 mm"
         area, perimeter = (sum(part[k] for part in parts) for k in (0, 1))
         result = run(case, f"cases/plane-beds/{case}.toml")
@@ -202,7 +204,7 @@ def canals(run):
             time = force["time"][:]
             late = (time >= v["window_start"]) & (time <= v["window_end"])
             banks, weight = (force[key][:][late].mean() for key in ("solid_force_1", "weight_component"))
-        law = sum(a * colebrook_of(a / p, 0.001, 0.001) for a, p in parts) / area
+        law = sum(a * colebrook_of(a / p, 0.001, k_s) for a, p, k_s in parts) / area
         error = v["total_mean_velocity"] / law - 1
         balance = v["drag_over_gravity"] + v["wall_over_gravity"] + v["side_wall_over_gravity"] - 1
         table.rows.append([label, f"{1000 * area / perimeter:.1f}", f"{law:.4f}", f"{v['total_mean_velocity']:.4f}",

@@ -273,7 +273,7 @@ class Pages(unittest.TestCase):
 
     def test_another_number_is_told_with_its_place(self):
         fault, by_hand = self.faults(level=-0.03)
-        self.assertIn("docs/page.md:8: level: measured is -1.5 %, printed -3 %", fault)
+        self.assertIn("docs/page.md:8: Tank / level: measured is -1.5 %, printed -3 %", fault)
         self.assertIn("docs/page.md:20: the tank / level at 3 s: tank does not print -1.5", by_hand)
         self.assertEqual(len(self.faults(level=0.015)), 2)
         self.assertIn("error % is 0.25, printed 0.29", self.faults(error="0.29")[0])

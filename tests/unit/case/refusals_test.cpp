@@ -438,6 +438,69 @@ std::vector<Wrong> wrong_bed_patches() {
     };
 }
 
+/// An open canal whose bottom is smoother than its banks.
+Case with_surface_patches() {
+    Case c = open_canal();
+    SurfacePatch bottom;
+    bottom.name = "bottom";
+    bottom.solid = "canal";
+    bottom.equivalent_roughness = 0.0005;
+    bottom.y_from = 0.05;
+    bottom.y_to = 0.1;
+    SurfacePatch other = bottom;
+    other.name = "other";
+    other.y_from = 0.1;
+    other.y_to = 0.15;
+    c.surface_patches = {bottom, other};
+    return c;
+}
+
+Case with_outlined_surface() {
+    return with_keys(
+        with_surface_patches(),
+        "surface_patch[0].y_from = auto; surface_patch[0].y_to = auto; inflow.profile = uniform; "
+        "outflow.kind = critical-depth; surface_patch[0].x = [0.05, 0.2, 0.1]; "
+        "surface_patch[0].y = [0, 0, 0.09]");
+}
+
+std::vector<Wrong> wrong_surface_patches() {
+    Case moving = with_solid();
+    moving.solids[0].surface = SolidSurface::log_law;
+    SurfacePatch patch;
+    patch.name = "part";
+    patch.solid = moving.solids[0].name;
+    patch.equivalent_roughness = 0.001;
+    patch.x_from = 0.01;
+    patch.x_to = 0.05;
+    moving.surface_patches = {patch};
+    return {
+        {with_solid(),
+         "solid[0].surface = log-law; solid[0].equivalent_roughness = 1 mm; solid[0].manning = 0.01"},
+        {with_solid(), "solid[0].surface = log-law; solid[0].manning = 0.9"},
+        {with_surface_patches(), "surface_patch[0].name = \"\""},
+        {with_surface_patches(), "surface_patch[1].name = bottom"},
+        {with_surface_patches(), "surface_patch[0].solid = pier"},
+        {with_surface_patches(), "solid[0].surface = no-slip; solid[0].equivalent_roughness = 0"},
+        {moving, "solid[0].motion = constant; solid[0].velocity_x = 0.01"},
+        {with_surface_patches(), "surface_patch[0].equivalent_roughness = none"},
+        {with_surface_patches(), "surface_patch[0].manning = 0.01"},
+        {with_surface_patches(),
+         "surface_patch[0].equivalent_roughness = none; surface_patch[0].manning = 0.9"},
+        {with_surface_patches(), "surface_patch[0].equivalent_roughness = 0; fluid.kinematic_viscosity = 0"},
+        {with_surface_patches(), "surface_patch[0].equivalent_roughness = 90 mm"},
+        {with_surface_patches(), "surface_patch[1].y_to = 1 m"},
+        {with_surface_patches(), "surface_patch[1].y_from = 0.1499"},
+        {with_surface_patches(), "surface_patch[0].y_from = auto; surface_patch[0].y_to = auto"},
+        {with_surface_patches(), "surface_patch[1].y_from = 0.09"},
+        {with_outlined_surface(), "surface_patch[0].x_from = 10 mm"},
+        {with_outlined_surface(), "surface_patch[0].y = [0, 0]"},
+        {with_outlined_surface(), "surface_patch[0].x = [0, 0.1]; surface_patch[0].y = [0, 0.05]"},
+        {with_outlined_surface(),
+         "surface_patch[0].x = [0, 0.1, 0.1, 0]; surface_patch[0].y = [0, 0.09, 0, 0.09]"},
+        {with_outlined_surface(), many_corners("surface_patch[0]")},
+    };
+}
+
 std::vector<Wrong> wrong_vegetation() {
     return {
         {with_vegetation(),
@@ -577,7 +640,7 @@ std::vector<Wrong> all_wrongs() {
     std::vector<Wrong> all;
     for (auto* const wrongs :
          {wrong_geometry, wrong_open_ends, wrong_methods, wrong_starts_and_runs, wrong_solids, wrong_shapes,
-          wrong_bed_patches, wrong_vegetation, wrong_porous, wrong_probes}) {
+          wrong_surface_patches, wrong_bed_patches, wrong_vegetation, wrong_porous, wrong_probes}) {
         for (Wrong& wrong : wrongs()) all.push_back(std::move(wrong));
     }
     return all;

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "case/case.hpp"
+#include "case/cross_section.hpp"
 #include "column/twin_channel.hpp"
 #include "column/uniform_rating.hpp"
 #include "hydraulics/varied_flow.hpp"
@@ -32,6 +33,48 @@ TEST(CanalChannel, NormalDepthAndUniformDischargeAreOfEachOther) {
         EXPECT_NEAR(normal_depth(twin_channel(c, q)).value() / depth, 1.0, 1e-6) << depth;
         EXPECT_NEAR(rating.depth(q) / depth, 1.0, 1e-4) << depth;
     }
+}
+
+/// The same with floodplains rougher than the main channel.
+Case with_rough_floodplains() {
+    Case c = compound();
+    for (const bool right : {false, true}) {
+        SurfacePatch plain;
+        plain.name = right ? "right" : "left";
+        plain.solid = "canal";
+        plain.equivalent_roughness = 0.01;
+        (right ? plain.y_from : plain.y_to) = right ? 0.57 : 0.22;
+        c.surface_patches.push_back(plain);
+    }
+    return c;
+}
+
+// Patches that the water does not reach change nothing; under all of it they are another roughness of the
+// canal; between, the discharge is between.
+TEST(CanalChannel, PatchesHoldBackTheWaterThatWetsThem) {
+    const Case smooth = compound();
+    const Case patched = with_rough_floodplains();
+    Case rough = compound();
+    rough.solids[0].equivalent_roughness = 0.01;
+    EXPECT_NEAR(canal_uniform_discharge(patched, 0.06) / canal_uniform_discharge(smooth, 0.06), 1.0, 1e-9);
+    for (const double depth : {0.1, 0.15, 0.2}) {
+        const double q = canal_uniform_discharge(patched, depth);
+        EXPECT_LT(q, 0.98 * canal_uniform_discharge(smooth, depth)) << depth;
+        EXPECT_GT(q, 1.02 * canal_uniform_discharge(rough, depth)) << depth;
+        EXPECT_NEAR(normal_depth(twin_channel(patched, q)).value() / depth, 1.0, 2e-3) << depth;
+    }
+    // Rough water on the floodplains makes the velocities across more uneven.
+    const auto alpha = [](const Case& c) {
+        return twin_channel(c, canal_uniform_discharge(c, 0.15)).state(0.15).energy_coefficient;
+    };
+    EXPECT_GT(alpha(patched), alpha(smooth) + 0.02);
+}
+
+TEST(CanalChannel, HasATwinWherePatchesLieAllAlongTheChannelAlone) {
+    Case c = with_rough_floodplains();
+    EXPECT_NE(canal_of(c), nullptr);
+    c.surface_patches[0].x_to = 1.0;
+    EXPECT_EQ(canal_of(c), nullptr);
 }
 
 // As water spills onto the floodplains the law has a smaller discharge than just below them: the rating of a

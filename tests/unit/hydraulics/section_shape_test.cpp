@@ -89,26 +89,41 @@ TEST(VariedFlow, BackwaterOfATrapezoidIsChows) {
 }
 
 TEST(LateralProfile, AFloodplainIsDraggedAlongByItsChannel) {
-    const std::vector<LateralStrip> even(40, {0.1, 1.0});
-    const std::vector<double> u = lateral_profile(even, 0.05, 0.01, 1e-3, 1e-6);
+    const std::vector<LateralStrip> even(40, {0.1, 1.0, 1e-3});
+    const std::vector<double> u = lateral_profile(even, 0.05, 0.01, 1e-6);
     for (const double value : u) EXPECT_NEAR(value / u.front(), 1.0, 1e-12);
     // Beside a floodplain the main channel is slower than alone and the plain faster.
-    std::vector<LateralStrip> compound(40, {0.1, 1.0});
+    std::vector<LateralStrip> compound(40, {0.1, 1.0, 1e-3});
     for (std::size_t i = 20; i < 40; ++i) compound[i].depth = 0.05;
-    const std::vector<double> both = lateral_profile(compound, 0.02, 0.01, 1e-3, 1e-6);
+    const std::vector<double> both = lateral_profile(compound, 0.02, 0.01, 1e-6);
     const std::vector<double> plain =
-        lateral_profile(std::vector<LateralStrip>(4, {0.05, 1.0}), 0.02, 0.01, 1e-3, 1e-6);
+        lateral_profile(std::vector<LateralStrip>(4, {0.05, 1.0, 1e-3}), 0.02, 0.01, 1e-6);
     EXPECT_LT(both[19], u.front());
     EXPECT_GT(both[20], plain.front());
     EXPECT_NEAR(both[0] / u.front(), 1.0, 0.05);
     EXPECT_NEAR(both[39] / plain.front(), 1.0, 0.05);
     for (std::size_t i = 1; i < 40; ++i) EXPECT_LE(both[i], both[i - 1] * (1.0 + 1e-12));
     // Dry strips stand still and take nothing.
-    std::vector<LateralStrip> dry(10, {0.1, 1.0});
+    std::vector<LateralStrip> dry(10, {0.1, 1.0, 1e-3});
     dry[0] = dry[1] = {};
-    const std::vector<double> bank = lateral_profile(dry, 0.02, 0.01, 1e-3, 1e-6);
+    const std::vector<double> bank = lateral_profile(dry, 0.02, 0.01, 1e-6);
     EXPECT_EQ(bank[0], 0.0);
     EXPECT_NEAR(bank[5], u.front(), 1e-9);
+}
+
+// A floodplain as deep as the rest and rougher is slower, far from the edge as its own depth and roughness
+// say.
+TEST(LateralProfile, HasTheRoughnessOfEachStrip) {
+    std::vector<LateralStrip> strips(60, {0.1, 1.0, 1e-3});
+    for (std::size_t i = 30; i < strips.size(); ++i) strips[i].equivalent_roughness = 0.02;
+    const std::vector<double> u = lateral_profile(strips, 0.1, 0.01, 1e-6);
+    const auto alone = [](double roughness) {
+        return lateral_profile(std::vector<LateralStrip>(4, {0.1, 1.0, roughness}), 0.1, 0.01, 1e-6)[0];
+    };
+    EXPECT_NEAR(u.front(), alone(1e-3), 1e-3 * u.front());
+    EXPECT_NEAR(u.back(), alone(0.02), 1e-3 * u.back());
+    EXPECT_LT(u.back(), 0.8 * u.front());
+    for (std::size_t i = 1; i < u.size(); ++i) EXPECT_LE(u[i], u[i - 1]) << i;
 }
 
 }  // namespace

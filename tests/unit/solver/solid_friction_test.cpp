@@ -64,6 +64,31 @@ TEST(SolidFriction, OfUniformWaterIsThatOfTheLogLaw) {
     EXPECT_NEAR(rates.further_forces, 0.0, 1e-4 * expected);
 }
 
+// On a patch by its own roughness, at its edge by the shares of both, and nothing counts twice.
+TEST(SolidFriction, OfAPatchIsByItsOwnRoughness) {
+    Case c = over_slab();
+    SurfacePatch rough;
+    rough.name = "gravel";
+    rough.solid = "slab";
+    rough.equivalent_roughness = 4e-3;
+    rough.x_from = 0.03;
+    rough.x_to = 0.0785;
+    SurfacePatch glass = rough;
+    glass.name = "glass";
+    glass.equivalent_roughness = 0.0;
+    glass.x_from = 0.0785;
+    glass.x_to.reset();
+    c.surface_patches = {rough, glass};
+    const double friction = started(c)->solid_forces().front().friction[0];
+    const double layer = 3 * c.numerics.spacing;
+    const double by_lengths = solid_friction(c, c.solids[0]).coefficient(0.25) * 0.03 +
+                              solid_friction(c, rough).coefficient(0.25) * 0.0485 +
+                              solid_friction(c, glass).coefficient(0.25) * 0.0415;
+    const double expected = c.fluid.density * by_lengths * 0.25 * layer;
+    EXPECT_NEAR(friction, expected, 0.01 * expected);
+    EXPECT_GT(solid_friction(c, rough).coefficient(0.25), 1.5 * solid_friction(c, glass).coefficient(0.25));
+}
+
 TEST(SolidFriction, IsByTheVelocityPastTheSurface) {
     Case c = over_slab();
     c.channel.length = 0.3;
