@@ -170,6 +170,7 @@ SteadyChannel canal_by_radius(const Case& c, double unit_discharge) {
     const std::vector<double> depth = depths_of_strips(c, channel.least_depth);
     if (depth.empty()) return channel;
     std::vector<double> share;
+    share.reserve(depth.size());
     for (const double h : depth) share.push_back(share_of_patches(c, h));
     channel.state = [by_radius = channel.state, depth, share](double h) {
         SectionState state = by_radius(h);
