@@ -7,7 +7,7 @@ Three kinds of tables stand on the pages, and each row of them is compared when 
   (or one for all, - for none):  <!-- test: checks="tank wedge -" -->
 
 Two numbers agree where they differ by no more than the digits that are shown, a tenth of the larger one, or a quarter of the bar:
-flows that never repeat come out so much otherwise with another compiler (docs/verification.md says how much they did). Times of a
+room for flows that never repeat, which come out a little otherwise with another compiler. It was chosen, not measured. Times of a
 processor and the words of costs are not compared."""
 
 import pathlib

@@ -104,11 +104,7 @@ CheckList bed_patch_refusals() {
                  "no particle would resolve it",
                  "make the spacing smaller or the patch larger",
                  [](const Case& c, const BedPatch& patch) {
-                     const double least = least_extent(c, patch);
-                     // One that ends before it begins is told of above.
-                     return found_if(least >= 0.0 && least < c.numerics.spacing * (1 - 1e-9),
-                                     "is {} in one direction, and the particles stand {} apart",
-                                     shown_length(least), shown_length(c.numerics.spacing));
+                     return below_spacing(c, least_extent(c, patch));
                  }},
                 {{"bed_patch.x_from", "bed_patch.name"},
                  "a patch that covers the whole channel",

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cstddef>
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -76,12 +77,24 @@ template <class Patch>
 }
 
 /// The first of the patches before one in its list that lies where it does; nullptr where none does.
+/// `counts`: of which of them it is asked.
 template <class Patch>
-[[nodiscard]] const Patch* patch_below(const Case& c, const std::vector<Patch>& patches, const Patch& patch) {
+[[nodiscard]] const Patch* patch_below(
+    const Case& c, const std::vector<Patch>& patches, const Patch& patch,
+    const std::function<bool(const Patch&)>& counts = [](const Patch&) { return true; }) {
     const Patch* const own = &patch;
-    const auto* const found = std::find_if(
-        patches.data(), own, [&](const Patch& other) { return lie_over_each_other(c, patch, other); });
+    const auto* const found = std::find_if(patches.data(), own, [&](const Patch& other) {
+        return counts(other) && lie_over_each_other(c, patch, other);
+    });
     return found != own ? found : nullptr;
+}
+
+/// What is wrong with a patch whose least extent (m) no particle resolves. One that ends before it begins is
+/// told of by beyond_channel().
+[[nodiscard]] inline Findings below_spacing(const Case& c, double least_extent) {
+    return found_if(least_extent >= 0.0 && least_extent < c.numerics.spacing * (1 - 1e-9),
+                    "is {} in one direction, and the particles stand {} apart", shown_length(least_extent),
+                    shown_length(c.numerics.spacing));
 }
 
 }  // namespace riffle::inline case_file

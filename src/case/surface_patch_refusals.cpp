@@ -1,6 +1,5 @@
-#include <algorithm>
-
 #include "case/bed_friction.hpp"
+#include "case/gauge_face.hpp"
 #include "case/patch_checks.hpp"
 #include "case/refusals.hpp"
 #include "case/surface_roughness.hpp"
@@ -9,20 +8,9 @@ namespace riffle::inline case_file {
 
 namespace {
 
-/// The solid that a patch is a part of; nullptr where no solid has its name.
-const Solid* solid_of(const Case& c, const SurfacePatch& patch) {
-    const auto found = std::find_if(c.solids.begin(), c.solids.end(),
-                                    [&](const Solid& solid) { return solid.name == patch.solid; });
-    return found != c.solids.end() ? &*found : nullptr;
-}
-
-/// Another patch on the same solid that lies where this one does; nullptr where none does.
-const SurfacePatch* other_there(const Case& c, const SurfacePatch& patch) {
-    const SurfacePatch* const own = &patch;
-    const auto* const found = std::find_if(c.surface_patches.data(), own, [&](const SurfacePatch& other) {
-        return other.solid == patch.solid && lie_over_each_other(c, patch, other);
-    });
-    return found != own ? found : nullptr;
+/// The solid that a patch is a part of, which there must be.
+const Solid& solid_of(const Case& c, const SurfacePatch& patch) {
+    return c.solids[*solid_named(c, patch.solid)];
 }
 
 }  // namespace
@@ -52,7 +40,7 @@ CheckList surface_patch_refusals() {
                  "",
                  "give the name of a [[solid]] of the case",
                  [](const Case& c, const SurfacePatch& patch) {
-                     return found_if(solid_of(c, patch) == nullptr, "no [[solid]] is called \"{}\"",
+                     return found_if(!solid_named(c, patch.solid), "no [[solid]] is called \"{}\"",
                                      patch.solid);
                  },
                  true},
@@ -61,7 +49,7 @@ CheckList surface_patch_refusals() {
                  "other surfaces have no roughness",
                  R"(set surface = "log-law" of the solid)",
                  [](const Case& c, const SurfacePatch& patch) {
-                     return found_if(solid_of(c, patch)->surface != SolidSurface::log_law,
+                     return found_if(solid_of(c, patch).surface != SolidSurface::log_law,
                                      "the surface of \"{}\" has no log law", patch.solid);
                  },
                  true},
@@ -70,7 +58,7 @@ CheckList surface_patch_refusals() {
                  "a patch lies at its place in plan, from which the solid would move away",
                  "give the whole solid one roughness, or make the parts solids of their own",
                  [](const Case& c, const SurfacePatch& patch) {
-                     return found_if(!solid_of(c, patch)->rests(), "\"{}\" moves", patch.solid);
+                     return found_if(!solid_of(c, patch).rests(), "\"{}\" moves", patch.solid);
                  }},
                 {{"surface_patch.equivalent_roughness", "surface_patch.manning"},
                  "neither `equivalent_roughness` nor `manning` of a patch, or both",
@@ -122,11 +110,7 @@ CheckList surface_patch_refusals() {
                  "no particle would resolve it",
                  "make the spacing smaller or the patch larger",
                  [](const Case& c, const SurfacePatch& patch) {
-                     const double least = least_extent(c, patch);
-                     // One that ends before it begins is told of above.
-                     return found_if(least >= 0.0 && least < c.numerics.spacing * (1 - 1e-9),
-                                     "is {} in one direction, and the particles stand {} apart",
-                                     shown_length(least), shown_length(c.numerics.spacing));
+                     return below_spacing(c, least_extent(c, patch));
                  }},
                 {{"surface_patch.x_from", "surface_patch.name"},
                  "a patch that covers the whole channel",
@@ -141,7 +125,9 @@ CheckList surface_patch_refusals() {
                  "a place has one roughness",
                  "give patches beside each other",
                  [](const Case& c, const SurfacePatch& patch) {
-                     const SurfacePatch* const other = other_there(c, patch);
+                     const SurfacePatch* const other = patch_below<SurfacePatch>(
+                         c, c.surface_patches, patch,
+                         [&](const SurfacePatch& one) { return one.solid == patch.solid; });
                      return other != nullptr ? found_if(true, "lies where \"{}\" does", other->name)
                                              : Findings{};
                  }},

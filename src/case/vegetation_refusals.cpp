@@ -17,11 +17,7 @@ namespace {
 constexpr double touching = std::numbers::pi / 4.0;
 
 Findings thinner_than_a_particle(const Case& c, const Vegetation& patch) {
-    const double least = std::min(patch.height, least_extent(c, patch));
-    // One that ends before it begins is told of elsewhere.
-    return found_if(least >= 0.0 && least < c.numerics.spacing * (1 - 1e-9),
-                    "is {} in one direction, and the particles stand {} apart", shown_length(least),
-                    shown_length(c.numerics.spacing));
+    return below_spacing(c, std::min(patch.height, least_extent(c, patch)));
 }
 
 /// The middle of the i-th of some equal parts of a range, m.

@@ -48,6 +48,20 @@ double discharge_of(const std::vector<LateralStrip>& strips, const std::vector<d
     return sum;
 }
 
+/// Depths over which what follows from the strips of a section is interpolated, m.
+std::vector<double> depths_of_strips(const Case& c, double least_depth) {
+    constexpr int depths = 120;
+    constexpr double lowest_share = 0.02;  // of the case's depth
+    constexpr double highest_share = 6.0;
+    std::vector<double> depth;
+    for (int i = 0; i < depths; ++i) {
+        const double share = static_cast<double>(i) / (depths - 1);
+        const double h = c.total_depth() * lowest_share * std::pow(highest_share / lowest_share, share);
+        if (h >= least_depth) depth.push_back(h);
+    }
+    return depth;
+}
+
 /// Coefficients of momentum and energy of velocities over strips.
 std::pair<double, double> coefficients_of(const SectionStrips& strips,
                                           const std::vector<double>& velocities) {
@@ -130,36 +144,15 @@ double share_of_patches(const Case& c, double depth) {
     if (patches_on(c, canal).empty()) return 1.0;
     // The slope drops out, but for viscosity.
     constexpr double of_level_channel = 1e-3;
-    const double gravity =
-        c.streamwise_gravity() > 0.0 ? c.streamwise_gravity() : c.fluid.gravity * of_level_channel;
+    const double down = c.streamwise_gravity() / c.fluid.gravity;
+    const double slope = down > 0.0 ? down : of_level_channel;
     SectionStrips strips = section_strips(c, canal, depth, strips_across);
-    const auto discharge = [&] {
-        return discharge_of(strips.strips, lateral_profile(strips.strips, strips.width, gravity,
-                                                           c.fluid.kinematic_viscosity));
-    };
+    const auto discharge = [&] { return discharge_of(strips.strips, canal_velocities(c, strips, slope)); };
     const double with_patches = discharge();
     for (LateralStrip& strip : strips.strips) strip.equivalent_roughness = surface_roughness(c, canal);
     const double without = discharge();
     return without > 0.0 ? with_patches / without : 1.0;
 }
-
-namespace {
-
-/// Depths over which what follows from the strips of a section is interpolated, m.
-std::vector<double> depths_of_strips(const Case& c, double least_depth) {
-    constexpr int depths = 120;
-    constexpr double lowest_share = 0.02;  // of the case's depth
-    constexpr double highest_share = 6.0;
-    std::vector<double> depth;
-    for (int i = 0; i < depths; ++i) {
-        const double share = static_cast<double>(i) / (depths - 1);
-        const double h = c.total_depth() * lowest_share * std::pow(highest_share / lowest_share, share);
-        if (h >= least_depth) depth.push_back(h);
-    }
-    return depth;
-}
-
-}  // namespace
 
 SteadyChannel canal_by_radius(const Case& c, double unit_discharge) {
     const Solid& canal = *section_of(c);

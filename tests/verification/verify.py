@@ -125,10 +125,9 @@ def main():
             done.append(CHECKS[name](study).judge(complete=not study.quick))
             print(checks.text(done[-1]), flush=True)
         build = build_of(study)
-    comparison = shown_tables.Comparison(shown_tables.read())
-    if not study.quick:
-        for check in done:
-            on_pages.compare(check, comparison)
+    comparison = shown_tables.Comparison([] if study.quick else shown_tables.read())
+    for check in [] if study.quick else done:
+        on_pages.compare(check, comparison)
     table = checks.summary_table(done)
     budgets = checks.budget_table(done)
     arguments.page.parent.mkdir(parents=True, exist_ok=True)
