@@ -116,13 +116,14 @@ std::vector<double> within_window(const FlowRecord& record, const Field& field) 
 
 const ScalarProbe* find_scalar(const FlowRecord& record, const std::string& quantity,
                                const std::string& instrument) {
+    const ScalarProbe* finest = nullptr;
     for (const ScalarProbe& probe : record.scalar_probes()) {
         if (probe.quantity == quantity && (instrument.empty() || probe.name == instrument) &&
-            probe.value.size() > 1) {
-            return &probe;
+            probe.value.size() > (finest != nullptr ? finest->value.size() : 1)) {
+            finest = &probe;
         }
     }
-    return nullptr;
+    return finest;
 }
 
 const ScalarProbe* find_at_end(const FlowRecord& record, const Field& quantity, int end) {

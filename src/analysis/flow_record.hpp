@@ -170,8 +170,8 @@ class FlowRecord {
 /// The part of a series within the window; empty if there is no such series.
 [[nodiscard]] std::vector<double> within_window(const FlowRecord& record, const Field& field);
 
-/// The first record of a scalar instrument of that quantity, and of that instrument where it is named, with
-/// at least two samples; null where there is none.
+/// The record with the most samples, the first of them, of a scalar instrument of that quantity, and of that
+/// instrument where it is named; null where none has two samples.
 [[nodiscard]] const ScalarProbe* find_scalar(const FlowRecord& record, const std::string& quantity,
                                              const std::string& instrument = "");
 

@@ -15,30 +15,37 @@
 #include "record/flow_fields.hpp"
 #include "record/probe_fields.hpp"
 #include "statistics/confidence.hpp"
+#include "statistics/record.hpp"
 
 namespace riffle::inline analysis {
 
 namespace {
 
-/// A term of the budget, by sample: what it gives the water, or takes from it (negative).
+/// Samples of what the water is given, or loses (negative), at their times.
+struct Samples {
+    std::vector<double> time, value;
+};
+
+/// A term of the budget, by sample.
 struct MomentumTerm {
     std::string key;
     std::string label;
-    std::vector<double> value;
+    Samples samples;
 };
 
 /// The samples of an instrument times a factor; empty where there are none.
-std::vector<double> samples(const ScalarProbe* found, double factor) {
-    std::vector<double> values = found != nullptr ? found->value : std::vector<double>{};
-    for (double& value : values) value *= factor;
-    return values;
+Samples samples(const ScalarProbe* found, double factor) {
+    if (found == nullptr) return {};
+    Samples of{found->time, found->value};
+    for (double& value : of.value) value *= factor;
+    return of;
 }
 
 /// What remains of samples less others; empty where there are not as many of both.
-std::vector<double> less(std::vector<double> values, const std::vector<double>& others) {
-    if (values.size() != others.size()) return {};
-    for (std::size_t i = 0; i < values.size(); ++i) values[i] -= others[i];
-    return values;
+Samples less(Samples samples, const Samples& others) {
+    if (samples.value.size() != others.value.size()) return {};
+    for (std::size_t i = 0; i < samples.value.size(); ++i) samples.value[i] -= others.value[i];
+    return samples;
 }
 
 /// What comes in and goes out with the water and by its pressure at the sections of both ends.
@@ -56,7 +63,7 @@ std::vector<MomentumTerm> terms_at_ends(const FlowRecord& record) {
 /// The forces on the water between the ends.
 std::vector<MomentumTerm> terms_between(const FlowRecord& record, const Case& c) {
     const auto of_force = [&](const std::string& quantity, double sign) {
-        return samples(find_scalar(record, quantity, "standard_force"), sign);
+        return samples(find_scalar(record, quantity), sign);
     };
     const auto& of = fields::forces;
     std::vector<MomentumTerm> terms = {
@@ -65,15 +72,15 @@ std::vector<MomentumTerm> terms_between(const FlowRecord& record, const Case& c)
         {"side_walls", "drag of the side walls", of_force(of.side_wall_drag.name, -1.0)},
         {"vegetation", "drag of the vegetation", of_force(of.vegetation_drag.name, -1.0)},
         {"porous_zones", "resistance of the porous zones", of_force(of.porous_drag.name, -1.0)}};
-    std::vector<double> walls = of_force(of.wall_force.name, -1.0);
+    Samples walls = of_force(of.wall_force.name, -1.0);
     for (std::size_t k = 0; k < c.solids.size(); ++k) {
-        const std::vector<double> all = of_force(numbered_name(fields::solid_forces.force, k + 1), -1.0);
-        const std::vector<double> form = of_force(numbered_name(fields::solid_forces.form_drag, k + 1), -1.0);
+        const Samples all = of_force(numbered_name(fields::solid_forces.force, k + 1), -1.0);
+        const Samples form = of_force(numbered_name(fields::solid_forces.form_drag, k + 1), -1.0);
         const std::string& name = c.solids[k].name;
         terms.push_back({fmt::format("form_drag_{}", k + 1), fmt::format("form drag of \"{}\"", name), form});
         terms.push_back({fmt::format("solid_friction_{}", k + 1), fmt::format("friction on \"{}\"", name),
                          less(all, form)});
-        if (!all.empty()) walls = less(std::move(walls), all);
+        if (!all.value.empty()) walls = less(std::move(walls), all);
     }
     // Wall particles continue the pressure of the water above them, so that where the depth changes along the
     // channel they push along the bed, as deep as the kernel reaches into it (docs/theory.md 20). The
@@ -96,15 +103,16 @@ std::optional<double> uncertainty(const std::vector<MomentumTerm>& at_ends,
     bool at_one_time = true;
     for (const std::vector<MomentumTerm>* const terms : {&at_ends, &between}) {
         for (const MomentumTerm& term : *terms) {
-            if (term.value.empty()) continue;
-            const MeanEstimate mean = mean_with_confidence(term.value);
+            const std::vector<double>& values = term.samples.value;
+            if (values.empty()) continue;
+            const MeanEstimate mean = mean_with_confidence(values);
             if (terms == &at_ends) pressing = std::max(pressing, std::abs(mean.mean));
             const std::optional<double> half_width = trusted_half_width(mean);
             squares =
                 squares && half_width ? std::optional(*squares + *half_width * *half_width) : std::nullopt;
-            if (sum.empty()) sum.resize(term.value.size(), 0.0);
-            at_one_time = at_one_time && sum.size() == term.value.size();
-            for (std::size_t i = 0; at_one_time && i < sum.size(); ++i) sum[i] += term.value[i];
+            if (sum.empty()) sum.resize(values.size(), 0.0);
+            at_one_time = at_one_time && sum.size() == values.size();
+            for (std::size_t i = 0; at_one_time && i < sum.size(); ++i) sum[i] += values[i];
         }
     }
     std::optional<double> half_width;
@@ -117,19 +125,52 @@ std::optional<double> uncertainty(const std::vector<MomentumTerm>& at_ends,
     return half_width ? std::optional(std::hypot(*half_width, known * pressing)) : std::nullopt;
 }
 
-/// Rate of change of the stored momentum over the window, between the means of its first and last tenth:
-/// single moments count whole rows of particles that have just come in or gone out.
-double rate_of_change(const FlowRecord& record) {
-    const std::vector<double> time = within_window(record, fields::time_series.time);
-    const std::vector<double> momentum = within_window(record, fields::time_series.momentum_stored);
-    if (time.size() < 2 || momentum.size() != time.size() || !(time.back() > time.front())) return 0.0;
-    const auto tenth = static_cast<std::ptrdiff_t>((time.size() + 9) / 10);
-    const auto change = [&](const std::vector<double>& values) {
-        return std::accumulate(values.end() - tenth, values.end(), 0.0) -
-               std::accumulate(values.begin(), values.begin() + tenth, 0.0);
-    };
-    return change(momentum) / change(time);
-}
+/// The change of the stored momentum over the window, and the means that belong to it. It lies between the
+/// means of the first and the last tenth of the rows, for single moments count whole rows of particles that
+/// have just come in or gone out; so what changes the momentum counts from the rows of the first tenth on that
+/// have passed, and less by each row of the last tenth.
+class Change {
+  public:
+    explicit Change(const FlowRecord& record) {
+        const std::vector<double> time = within_window(record, fields::time_series.time);
+        const std::vector<double> momentum = within_window(record, fields::time_series.momentum_stored);
+        if (time.size() < 2 || momentum.size() != time.size() || !(time.back() > time.front())) return;
+        const auto tenth = static_cast<std::ptrdiff_t>((time.size() + 9) / 10);
+        first_.assign(time.begin(), time.begin() + tenth);
+        last_.assign(time.end() - tenth, time.end());
+        const auto change = [&](const std::vector<double>& values) {
+            return std::accumulate(values.end() - tenth, values.end(), 0.0) -
+                   std::accumulate(values.begin(), values.begin() + tenth, 0.0);
+        };
+        rate_ = change(momentum) / change(time);
+    }
+
+    /// Change of the momentum in a time, N/m or N.
+    [[nodiscard]] double rate() const { return rate_; }
+
+    /// Mean of what changed it; the plain mean where nothing is known of the change.
+    [[nodiscard]] double mean(const Samples& samples) const {
+        double sum = 0.0;
+        double weights = 0.0;
+        for (std::size_t i = 0; i < samples.value.size(); ++i) {
+            const double weight =
+                first_.empty() ? 1.0 : passed(first_, samples.time[i]) - passed(last_, samples.time[i]);
+            sum += weight * samples.value[i];
+            weights += weight;
+        }
+        return weights > 0.0 ? sum / weights : mean_of(samples.value);
+    }
+
+  private:
+    /// Share of the rows up to a time.
+    static double passed(const std::vector<double>& rows, double time) {
+        return static_cast<double>(std::upper_bound(rows.begin(), rows.end(), time) - rows.begin()) /
+               static_cast<double>(rows.size());
+    }
+
+    std::vector<double> first_, last_;
+    double rate_ = 0.0;
+};
 
 }  // namespace
 
@@ -138,24 +179,25 @@ void add_momentum_budget(const FlowRecord& record, Analysis& analysis) {
     if (c.channel.ends != Ends::open) return;
     const std::vector<MomentumTerm> at_ends = terms_at_ends(record);
     const std::vector<MomentumTerm> between = terms_between(record, c);
-    const auto missing = [](const MomentumTerm& term) { return term.value.empty(); };
+    const auto missing = [](const MomentumTerm& term) { return term.samples.value.empty(); };
     if (std::any_of(at_ends.begin(), at_ends.end(), missing) ||
         std::all_of(between.begin(), between.end(), missing)) {
         return;
     }
     std::vector<Finding> findings;
     const char* const unit = c.channel.dimensions == 3 ? "N" : "N/m";
+    const Change change(record);
     const auto add = [&](const MomentumTerm& term) {
-        if (term.value.empty()) return 0.0;
-        const MeanEstimate mean = mean_with_confidence(term.value);
-        if (mean.mean != 0.0) {
+        if (term.samples.value.empty()) return 0.0;
+        const double mean = change.mean(term.samples);
+        if (mean != 0.0) {
             findings.push_back(make_finding(chapters::forces, "momentum_" + term.key,
-                                            "momentum budget: " + term.label, unit, mean.mean,
-                                            trusted_half_width(mean)));
+                                            "momentum budget: " + term.label, unit, mean,
+                                            trusted_half_width(mean_with_confidence(term.samples.value))));
         }
-        return mean.mean;
+        return mean;
     };
-    const double stored = -rate_of_change(record);
+    const double stored = -change.rate();
     double ends = 0.0;
     for (const MomentumTerm& term : at_ends) ends += add(term);
     double sum = stored + ends;

@@ -116,6 +116,51 @@ def uniform(study):
     return check
 
 
+def _smooth_law(height, friction_velocity, viscosity):
+    """Velocity over a smooth bed (Nezu & Rodi 1986), no less than in the viscous layer."""
+    plus = friction_velocity * height / viscosity
+    return friction_velocity * numpy.maximum(numpy.log(numpy.maximum(plus, 1.0)) / 0.41 + 5.29, 0.0)
+
+
+def smooth_bed(study):
+    case = "cases/open-ends/smooth-channel.toml"
+    check = Check("open_smooth", "Smooth channel",
+                  "The channel of Tan, Cheng, Xie & Shao (2015), 1.2 m long at a spacing of 5 mm, with water 0.1, 0.2 and 0.4 m deep and Reynolds numbers up to 150 000: the velocity "
+                  "over the whole depth against the smooth log law of Nezu & Rodi (1986).")
+    figure = figures.Figure(1, width=7)
+    axes = figure.panel("velocity over that of the law at the surface", "height over the depth", "middle of the length, mean from 15 s on")
+    for number, (depth, slope, discharge) in enumerate([(0.2, 1.404e-4, 0.075), (0.1, 3.2355e-4, 0.0375), (0.4, 6.15e-5, 0.15)]):
+        if study.quick and number:
+            continue
+        label = f"{depth:g} m deep"
+        flow = study.run(f"open_smooth_{1e3 * depth:.0f}", case,
+                         {"channel.depth": f'"{depth:g} m"', "channel.slope": f"{slope:g}", "inflow.unit_discharge": f'"{discharge:g} m2/s"'} if number else {})
+        friction_velocity = float(numpy.sqrt(flow.gravity_z * flow.parameters["channel"]["slope"] * depth))
+        law = lambda z: _smooth_law(z, friction_velocity, flow.parameters["fluid"]["kinematic_viscosity"])
+        mean = float(law((numpy.arange(1000) + 0.5) / 1000 * depth).mean())
+        for share in (0.25, 0.5, 0.75):
+            z, u = _profile(flow, share * flow.length, 0.05, 15.0)
+            check.norm(f"U(z) at {share:.0%} of the length, rms over the law's mean, {label}", float(numpy.sqrt(numpy.mean((u - law(z)) ** 2)) / mean), 0.03)
+            if share == 0.5:
+                apart = u / law(z) - 1
+                worst = int(numpy.abs(apart).argmax())
+                check.norm(f"largest departure of a row there, {label}", float(apart[worst]), 0.03)
+                top = float(law(depth))
+                heights = numpy.linspace(0.002, 1, 200) * depth
+                figures.exact(axes, law(heights) / top, heights / depth, None if number else "smooth log law", figures.COLOURS[number])
+                figures.simulated(axes, u / top, z / depth, label, figures.COLOURS[number])
+        level = flow.series["mean_level"]
+        check.norm(f"mean level, largest departure from the normal depth, {label}", float(numpy.nanmax(numpy.abs(level[flow.series["time"] > 1.0] / depth - 1))), 0.005)
+        late = flow.series["time"] > 15.0
+        check.norm(f"discharge that leaves against that which enters, {label}",
+                   float(flow.series["outflow_discharge"][late].mean() / flow.series["inflow_discharge"][late].mean() - 1), 0.01)
+        account(check, flow)
+        if not number:
+            check.best, check.cost = options_text(flow), flow.cost_text
+    check.figures.append((figure.svg(check.name), "Velocity over a smooth bed against the log law."))
+    return check
+
+
 def _varied(study, name, title, text, downstream):
     case = f"cases/open-ends/{name.replace('_', '-')}.toml"
     check = Check("open_" + name, title, text)
@@ -180,4 +225,4 @@ def pulse(study):
     return check
 
 
-CHECKS = {"open_uniform": uniform, "open_backwater_m1": m1, "open_backwater_m2": m2, "open_pulse": pulse}
+CHECKS = {"open_uniform": uniform, "open_smooth": smooth_bed, "open_backwater_m1": m1, "open_backwater_m2": m2, "open_pulse": pulse}

@@ -63,19 +63,30 @@ class Record : public test::SimulatedRecord {
         }
         series_.set(fields::time_series.momentum_stored, momentum);
     }
+    void store(const std::vector<double>& momentum) {
+        series_.set(fields::time_series.momentum_stored, momentum);
+    }
     void add(const std::string& instrument, const std::string& kind, const std::string& quantity, double mean,
              double amplitude = 0.0, double frequency = 1.0) {
+        std::vector<double> values;
+        for (int i = 0; i < 1000; ++i) {
+            values.push_back(mean +
+                             amplitude * std::sin(2.0 * std::numbers::pi * frequency * interval * i));
+        }
+        add(instrument, kind, quantity, values);
+    }
+    /// Samples that are even over the ten seconds.
+    void add(const std::string& instrument, const std::string& kind, const std::string& quantity,
+             const std::vector<double>& values) {
         ScalarProbe probe{.name = instrument,
                           .kind = kind,
                           .quantity = quantity,
                           .label = quantity,
                           .unit = "N/m",
                           .time = {},
-                          .value = {}};
-        for (int i = 0; i < 1000; ++i) {
-            probe.time.push_back(interval * i);
-            probe.value.push_back(mean +
-                                  amplitude * std::sin(2.0 * std::numbers::pi * frequency * interval * i));
+                          .value = values};
+        for (std::size_t i = 0; i < values.size(); ++i) {
+            probe.time.push_back(1000.0 * interval * static_cast<double>(i) / static_cast<double>(values.size()));
         }
         probes_.push_back(std::move(probe));
     }
@@ -133,6 +144,45 @@ TEST(BodyCoefficients, AreNotGivenForWhatStandsOnTheBedOrMoves) {
         add_body_coefficients(record, analysis);
         EXPECT_TRUE(analysis.findings.empty()) << moves;
     }
+}
+
+// A flood: what flows in grows with the square of the time, and the water stores it. The plain mean of what
+// flowed in over the window is a third of 300 N/m, the change between means over tenths is not.
+TEST(MomentumBudget, ClosesWhereTheFlowChanges) {
+    Record record(duct());
+    std::vector<double> stored;
+    std::vector<double> inflow;
+    for (int i = 0; i < 1000; ++i) {
+        const double t = interval * i;
+        inflow.push_back(3.0 * t * t);
+        stored.push_back(t * t * t);
+    }
+    record.store(stored);
+    record.add("standard_end_sections", "flow_rate", "momentum_flux_1", inflow);
+    for (const char* quantity : {"momentum_flux_2", "pressure_force_1", "pressure_force_2"}) {
+        record.add("standard_end_sections", "flow_rate", quantity, 0.0);
+    }
+    record.add("standard_force", "force", "solid_force_1", 0.0);
+    record.add("standard_force", "force", "solid_form_drag_1", 0.0);
+    Analysis analysis;
+    add_momentum_budget(record, analysis);
+    // To half an interval of the samples, of some 4.5 N/m by the plain mean.
+    EXPECT_NEAR(value_of(analysis, "momentum_residual"), 0.0, 0.3);
+}
+
+// The instrument with the most samples tells the force, the case's own or the standard one.
+TEST(MomentumBudget, TakesTheForceOfTheFinestInstrument) {
+    Record record(duct());
+    for (const char* quantity : {"momentum_flux_1", "momentum_flux_2", "pressure_force_1", "pressure_force_2"}) {
+        record.add("standard_end_sections", "flow_rate", quantity, 0.0);
+    }
+    for (const char* quantity : {"solid_force_1", "solid_form_drag_1"}) {
+        record.add("standard_force", "force", quantity, std::vector<double>(100, 9.0));
+        record.add("load_cell", "force", quantity, std::vector<double>(1000, 5.0));
+    }
+    Analysis analysis;
+    add_momentum_budget(record, analysis);
+    EXPECT_DOUBLE_EQ(value_of(analysis, "momentum_form_drag_1"), -5.0);
 }
 
 TEST(MomentumBudget, BooksFormDragAndFrictionApart) {
