@@ -11,6 +11,7 @@
 #include "analysis/chapter_names.hpp"
 #include "analysis/figure_tools.hpp"
 #include "case/bed_traits.hpp"
+#include "case/end_buffers.hpp"
 #include "case/flow_kind.hpp"
 #include "record/flow_fields.hpp"
 #include "record/probe_fields.hpp"
@@ -48,10 +49,30 @@ Samples less(Samples samples, const Samples& others) {
     return samples;
 }
 
-/// What comes in and goes out with the water and by its pressure at the sections of both ends.
-std::vector<MomentumTerm> terms_at_ends(const FlowRecord& record) {
+/// The sections that the budget is drawn up between.
+struct Sections {
+    std::string instrument;
+    Field momentum;      ///< series of that between them
+    double share = 1.0;  ///< of the channel's length
+};
+
+/// Those in the free water beside the ends; in records of before, the ends themselves, where half of what a
+/// section sums moves as prescribed, and the momentum of the buffers with that between them.
+Sections sections(const FlowRecord& record, const Case& c) {
+    const auto& of = fields::time_series;
+    if (find_scalar(record, std::string(fields::flow_rate.momentum_flux.name) + "_1",
+                    momentum_sections_name) == nullptr ||
+        within_window(record, of.momentum_between_sections).empty()) {
+        return {"standard_end_sections", of.momentum_stored};
+    }
+    const auto [first, last] = momentum_sections(c);
+    return {momentum_sections_name, of.momentum_between_sections, (last - first) / c.channel.length};
+}
+
+/// What comes in and goes out with the water and by its pressure at the sections.
+std::vector<MomentumTerm> terms_at_ends(const FlowRecord& record, const Sections& sections) {
     const auto at = [&](const Field& field, int end, double sign) {
-        return samples(find_at_end(record, field, end), sign);
+        return samples(find_scalar(record, fmt::format("{}_{}", field.name, end), sections.instrument), sign);
     };
     const auto& of = fields::flow_rate;
     return {{"inflow", "momentum that flows in", at(of.momentum_flux, 1, 1.0)},
@@ -60,16 +81,16 @@ std::vector<MomentumTerm> terms_at_ends(const FlowRecord& record) {
             {"outflow_pressure", "pressure on the section at the outflow", at(of.pressure_force, 2, -1.0)}};
 }
 
-/// The forces on the water between the ends.
-std::vector<MomentumTerm> terms_between(const FlowRecord& record, const Case& c) {
+/// The forces on the water between the sections: what acts along the whole channel by their share of it.
+std::vector<MomentumTerm> terms_between(const FlowRecord& record, const Case& c, double share) {
     const auto of_force = [&](const std::string& quantity, double sign) {
         return samples(find_scalar(record, quantity), sign);
     };
     const auto& of = fields::forces;
     std::vector<MomentumTerm> terms = {
-        {"weight", "weight down the slope", of_force(of.weight_component.name, 1.0)},
-        {"bed_drag", "drag of the bed elements", of_force(of.bed_drag.name, -1.0)},
-        {"side_walls", "drag of the side walls", of_force(of.side_wall_drag.name, -1.0)},
+        {"weight", "weight down the slope", of_force(of.weight_component.name, share)},
+        {"bed_drag", "drag of the bed elements", of_force(of.bed_drag.name, -share)},
+        {"side_walls", "drag of the side walls", of_force(of.side_wall_drag.name, -share)},
         {"vegetation", "drag of the vegetation", of_force(of.vegetation_drag.name, -1.0)},
         {"porous_zones", "resistance of the porous zones", of_force(of.porous_drag.name, -1.0)}};
     Samples walls = of_force(of.wall_force.name, -1.0);
@@ -87,6 +108,7 @@ std::vector<MomentumTerm> terms_between(const FlowRecord& record, const Case& c)
     // pressure on the sections has that part already. Beds that drag by a law or not at all have no other
     // force.
     if (is_no_slip(c.bed) || is_duct(c)) {
+        for (double& value : walls.value) value *= share;
         terms.push_back({"walls", "force of bed and walls, without the bodies", std::move(walls)});
     }
     return terms;
@@ -127,13 +149,13 @@ std::optional<double> uncertainty(const std::vector<MomentumTerm>& at_ends,
 
 /// The change of the stored momentum over the window, and the means that belong to it. It lies between the
 /// means of the first and the last tenth of the rows, for single moments count whole rows of particles that
-/// have just come in or gone out; so what changes the momentum counts from the rows of the first tenth on that
-/// have passed, and less by each row of the last tenth.
+/// have just come in or gone out; so what changes the momentum counts from the rows of the first tenth on
+/// that have passed, and less by each row of the last tenth.
 class Change {
   public:
-    explicit Change(const FlowRecord& record) {
+    Change(const FlowRecord& record, const Field& stored) {
         const std::vector<double> time = within_window(record, fields::time_series.time);
-        const std::vector<double> momentum = within_window(record, fields::time_series.momentum_stored);
+        const std::vector<double> momentum = within_window(record, stored);
         if (time.size() < 2 || momentum.size() != time.size() || !(time.back() > time.front())) return;
         const auto tenth = static_cast<std::ptrdiff_t>((time.size() + 9) / 10);
         first_.assign(time.begin(), time.begin() + tenth);
@@ -162,9 +184,10 @@ class Change {
     }
 
   private:
-    /// Share of the rows up to a time.
+    /// Share of the rows up to a time, one at that time by half.
     static double passed(const std::vector<double>& rows, double time) {
-        return static_cast<double>(std::upper_bound(rows.begin(), rows.end(), time) - rows.begin()) /
+        const auto [before, after] = std::equal_range(rows.begin(), rows.end(), time);
+        return 0.5 * static_cast<double>((before - rows.begin()) + (after - rows.begin())) /
                static_cast<double>(rows.size());
     }
 
@@ -177,8 +200,9 @@ class Change {
 void add_momentum_budget(const FlowRecord& record, Analysis& analysis) {
     const Case& c = *record.flow();
     if (c.channel.ends != Ends::open) return;
-    const std::vector<MomentumTerm> at_ends = terms_at_ends(record);
-    const std::vector<MomentumTerm> between = terms_between(record, c);
+    const Sections between_what = sections(record, c);
+    const std::vector<MomentumTerm> at_ends = terms_at_ends(record, between_what);
+    const std::vector<MomentumTerm> between = terms_between(record, c, between_what.share);
     const auto missing = [](const MomentumTerm& term) { return term.samples.value.empty(); };
     if (std::any_of(at_ends.begin(), at_ends.end(), missing) ||
         std::all_of(between.begin(), between.end(), missing)) {
@@ -186,7 +210,7 @@ void add_momentum_budget(const FlowRecord& record, Analysis& analysis) {
     }
     std::vector<Finding> findings;
     const char* const unit = c.channel.dimensions == 3 ? "N" : "N/m";
-    const Change change(record);
+    const Change change(record, between_what.momentum);
     const auto add = [&](const MomentumTerm& term) {
         if (term.samples.value.empty()) return 0.0;
         const double mean = change.mean(term.samples);

@@ -10,6 +10,7 @@
 #include "analysis/figure_tools.hpp"
 #include "base/error.hpp"
 #include "base/not_a_number.hpp"
+#include "case/end_buffers.hpp"
 #include "record/probe_fields.hpp"
 
 namespace riffle::inline analysis {
@@ -312,6 +313,8 @@ RunProbes read_probes(const RunResults& results, const Case& c, const TimeWindow
             read_plane(group, c, probes);
         } else if (kind == "grid") {
             read_grid(group, c, window, probes);
+        } else if (name == momentum_sections_name) {
+            read_scalars(results, group, "momentum", probes);  // for the budget alone
         } else if (kind == "flow_rate" || kind == "force") {
             read_scalars(results, group, kind, probes);
         } else if (kind == "pressure") {

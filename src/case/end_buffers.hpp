@@ -1,6 +1,7 @@
 #pragma once
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "case/end_levels.hpp"
@@ -20,6 +21,17 @@ namespace riffle::inline case_file {
 [[nodiscard]] inline double end_support(const Case& c) {
     return 4.0 * c.numerics.smoothing_ratio * c.numerics.spacing;
 }
+
+/// Sections between which water takes all of its momentum from its own forces, m along the channel: a
+/// kernel's support inside the ends, up to where a section's sums reach no water whose motion an end
+/// prescribes.
+[[nodiscard]] inline std::array<double, 2> momentum_sections(const Case& c) {
+    const double support = 0.5 * end_support(c);
+    return {support, c.channel.length - support};
+}
+
+/// The standard instrument at these sections.
+inline constexpr const char* momentum_sections_name = "standard_momentum_sections";
 
 /// Least share of the depth over which the water beside an end is watched. The section takes over what the
 /// water there presses; where it is watched so near that it can do nothing but follow the section, nothing

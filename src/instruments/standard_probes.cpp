@@ -5,8 +5,10 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <string>
 #include <utility>
 
+#include "case/end_buffers.hpp"
 #include "case/units.hpp"
 
 namespace riffle::inline instruments {
@@ -18,6 +20,7 @@ constexpr std::array<double, 4> laboratory_probes = {0.0, 0.028, 0.1203, 0.3003}
 
 constexpr double usual_frequency = 100.0;  ///< Hz, as the laboratory sampled
 constexpr int profile_points = 16;
+constexpr std::size_t prefix_length = std::char_traits<char>::length(standard_probe_prefix);
 
 class StandardSet {
   public:
@@ -38,8 +41,9 @@ class StandardSet {
             }
             if (c_.channel.ends == Ends::open) {
                 add(ProbeKind::flow_rate, "flow_rate").x = along({0.25, 0.5, 0.75});
-                // What enters and leaves the balance of its momentum.
                 add(ProbeKind::flow_rate, "end_sections").x = along({0.0, 1.0});
+                const auto [first, last] = momentum_sections(c_);
+                add(ProbeKind::flow_rate, momentum_sections_name + prefix_length).x = {first, last};
             }
             add(ProbeKind::force, "force");
         }

@@ -132,6 +132,12 @@ struct TimeSeries {
     Field momentum_stored = end_series(
         "momentum_stored", {"kg/s", "kg m/s"},
         {"momentum along the channel per unit width", "momentum along the channel"}, Reader::users);
+    Field momentum_between_sections =
+        end_series("momentum_between_sections", {"kg/s", "kg m/s"},
+                   {"momentum along the channel per unit width of the water between the sections of the "
+                    "instrument `standard_momentum_sections`",
+                    "momentum along the channel of the water between the sections of the instrument "
+                    "`standard_momentum_sections`"});
     Field momentum_entered =
         end_series("momentum_entered", {"kg/s", "kg m/s"},
                    {"momentum that has entered per unit width", "momentum that has entered"}, Reader::users);

@@ -214,9 +214,17 @@ void TimeSeries::sample_ends(const SimulationIn<D>& simulation) {
     const Particles<D>& p = simulation.particles();
     double mass = 0.0;
     double momentum = 0.0;
+    double between_sections = 0.0;
+    // A row of particles that passes a section counts by the part of its spacing that is inside.
+    const double of_spacing = 1.0 / case_.numerics.spacing;
+    const auto [first, last] = momentum_sections(case_);
     for (std::size_t i = 0; i < p.size(); ++i) {
+        const double of_particle = p.mass[i] * p.velocity[0][i];
+        const double x = p.position[0][i];
+        const double inside = std::min(x - first, last - x) * of_spacing + 0.5;
         mass += p.mass[i];
-        momentum += p.mass[i] * p.velocity[0][i];
+        momentum += of_particle;
+        between_sections += std::clamp(inside, 0.0, 1.0) * of_particle;
     }
     const double width = case_.channel.flow_width();
     const auto add = [&](const Field& field, double value) { values_of(field).push_back(value); };
@@ -234,6 +242,7 @@ void TimeSeries::sample_ends(const SimulationIn<D>& simulation) {
     add(series.mass_entered, ends.ledger.mass_entered);
     add(series.mass_left, ends.ledger.mass_left);
     add(series.momentum_stored, momentum);
+    add(series.momentum_between_sections, between_sections);
     add(series.momentum_entered, ends.ledger.momentum_entered);
     add(series.momentum_left, ends.ledger.momentum_left);
 }

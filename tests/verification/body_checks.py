@@ -56,7 +56,7 @@ def draught(study):
                   "Draught of a box of half the density of water by Archimedes: its bottom below the level, which is that of the water and the box. Bars: 1 % in the plane, 2 % of the height in space.")
     density = 500.0
     runs = [("", "floating-box", {}, 0.01), (", 5 mm", "floating-box", {"numerics.spacing": '"5 mm"'}, 0.02), (", in space", "floating-box-3d", {}, 0.02),
-            (", in space, faces beside the lattice", "floating-box-3d", {"solid.box.centre": '["101 mm", "101 mm", "86 mm"]'}, None)]
+            (", in space, faces 0.2 spacings outside the lattice's", "floating-box-3d", {"solid.box.size": '["82 mm", "82 mm", "52 mm"]'}, None)]
     for name, case, settings, bar in runs:
         if study.quick and name:
             continue

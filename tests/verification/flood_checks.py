@@ -160,4 +160,57 @@ def tide(study):
     return check
 
 
-CHECKS = {"open_hydrograph": hydrograph, "open_tide": tide}
+def _coming_flood(flow, place, until):
+    """Depth and discharge at a section of the standard ones up to a time, running means over 0.09 s, and those of the equations of de Saint-Venant
+    without friction between the discharge that enters the run and the depth that leaves it: time, depth, discharge, depth and discharge of the equations."""
+    with h5py.File(flow.folder / "results.h5", "r") as file:
+        sections, ends = file["/probes/standard_flow_rate"], file["/probes/standard_end_sections"]
+        time, number = sections["time"][:], int(numpy.abs(sections["x"][:] - place).argmin())
+        h, q = (smooth(sections[name][:, number], 9) for name in ("depth", "flow_rate"))
+        moments, leaving = ends["time"][:], smooth(ends["depth"][:, -1], 9)
+    entering = smooth(flow.series["inflow_discharge"], 9)
+    steps, places, exact_h, exact_q = saint_venant(
+        flow.length, 0.0, flow.gravity_z, lambda h, q: 0.0 * q, lambda t: float(numpy.interp(t, flow.series["time"], entering)),
+        lambda t: float(numpy.interp(t, moments, leaving)), (lambda x: numpy.full_like(x, flow.depth), numpy.zeros_like), until, 800)
+    at = int(numpy.abs(places - place).argmin())
+    early = time < until
+    return (time[early], h[early], q[early], *(numpy.interp(time[early], steps, values[:, at]) for values in (exact_h, exact_q)))
+
+
+def deck(study):
+    case = "cases/open-ends/flood-on-deck.toml"
+    check = Check("open_deck", "Flood wave against a bridge deck",
+                  "A flood of four times the discharge comes down a channel without friction and meets a deck over the still water. On its way, 0.6 m before the deck, against the equations of "
+                  "de Saint-Venant until what the deck throws back comes there; at the deck, the force on it against the momentum that is lost between the ends.")
+    flow = study.run("open_deck", case)
+    front = min(flow.parameters["solid"][0]["x"])
+    felt = 2.3  # s: the water is at the lower face at 1.9 s, and the deck is felt upstream at u - c
+    time, h, q, exact_h, exact_q = _coming_flood(flow, 0.5 * front, felt)
+    for name, run, reference in (("depth", h, exact_h), ("discharge", q, exact_q)):
+        check.norm(f"{name} 0.6 m before the deck until {felt:g} s, rms over its rise", float(numpy.sqrt(numpy.mean((run - reference) ** 2)) / (reference.max() - reference[0])), 0.05)
+    found = study.findings(flow, "--chapter", "forces", "--window", "2,5")
+    check.norm("momentum between the ends that the budget leaves open, 2 to 5 s", found["momentum_residual_share"], 0.02)
+    with h5py.File(flow.folder / "results.h5", "r") as file:
+        probe = file["/probes/forces"]
+        moments, drag, lift = (probe[name][:] for name in ("time", "solid_force_1", "solid_lift_1"))
+    check.norm("largest force on the deck in the first second and a half, which is dry", float(numpy.hypot(drag, lift)[moments < 1.5].max()), 0.0, "N/m")
+    steady = study.findings(flow, "--chapter", "forces", "--window", "2.5,4.5")
+    check.norm("drag coefficient of the deck under the flood, 2.5 to 4.5 s, with the velocity of the stream and the wet height of the deck", steady["drag_coefficient_1"], unit="", digits=2)
+    slow = lambda values: smooth(values, 101)  # 50 ms
+    check.norm("largest force along the channel, mean over 50 ms", float(slow(drag).max()), unit="N/m", digits=3)
+    check.norm("largest lift, mean over 50 ms", float(slow(lift).max()), unit="N/m", digits=3)
+    account(check, flow)
+    figure = figures.Figure(2)
+    axes = figure.panel("time (s)", "depth (mm), discharge (l/s per m)", "0.6 m before the deck")
+    for run, reference, name, colour in ((h, exact_h, "depth", figures.COLOURS[0]), (q, exact_q, "discharge", figures.COLOURS[1])):
+        figures.exact(axes, time, 1e3 * reference, f"{name}, de Saint-Venant", colour)
+        figures.simulated(axes, time, 1e3 * run, name, colour, most=60)
+    axes = figure.panel("time (s)", "force on the deck (N/m)", "means over 50 ms")
+    for values, name, colour in ((drag, "along the channel", figures.COLOURS[0]), (lift, "upward", figures.COLOURS[1])):
+        figures.exact(axes, moments, slow(values), name, colour)
+    check.figures.append((figure.svg(check.name), "The flood on its way to the deck, and the force on it."))
+    check.best, check.cost = options_text(flow), flow.cost_text
+    return check
+
+
+CHECKS = {"open_hydrograph": hydrograph, "open_tide": tide, "open_deck": deck}

@@ -51,7 +51,8 @@ def broad_crested(gravity, _, energy_head):
     return 0.42 * (1 - 2 / 9 / (1 + ratio**4)) * math.sqrt(2 * gravity * energy_head**3)
 
 
-def _weir(study, name, title, author, law, heads):
+def _weir(study, name, title, author, law, heads, finer=()):
+    """The rating of a weir; `finer`: those of the heads that a spacing of 2 mm resolves."""
     case = f"cases/open-ends/{name}-weir.toml"
     check = Check(f"open_{name.split('-')[0]}_weir", title,
                   f"The discharge of five heads, {heads[0] * 1e3:.0f} to {heads[-1] * 1e3:.0f} mm, against that of {author} for the head that the particles stand at.")
@@ -62,7 +63,8 @@ def _weir(study, name, title, author, law, heads):
         q = law(gravity, head, head)
         depth = f'"{1e3 * (WEIR_HEIGHT + head):.0f} mm"'
         flow = study.run(f"{check.name}_{1e3 * head:.0f}", case, {
-            "channel.depth": depth, "inflow.unit_discharge": f'"{q:.5f} m2/s"', "start.water_z": f'["0 mm", "0 mm", {depth}, {depth}]'})
+            "channel.depth": depth, "inflow.unit_discharge": f'"{q:.5f} m2/s"', "start.water_z": f'["0 mm", "0 mm", {depth}, {depth}]',
+            **({"numerics.spacing": '"2 mm"'} if head in finer else {})})
         begin, pool = flow.parameters["run"]["average_from"], flow.parameters["solid"][0]["x"][0]
         with h5py.File(flow.folder / "results.h5", "r") as file:
             surface = file["/surface"]
@@ -93,7 +95,7 @@ def sharp_weir(study):
 
 def broad_weir(study):
     return _weir(study, "broad-crested", "Broad-crested weir", "Hager & Schwalt (1994)", broad_crested,
-                 [0.09, 0.105, 0.12, 0.15, 0.18])
+                 [0.09, 0.105, 0.12, 0.15, 0.18], finer=(0.09, 0.105))
 
 
 def _height_of_pool(flow, place, width, start):

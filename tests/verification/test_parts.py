@@ -248,6 +248,14 @@ PAGE = """# A page
 """
 
 
+class Readme(unittest.TestCase):
+    def test_it_counts_the_checks_and_those_that_miss_a_bar(self):
+        text = (runs.ROOT / "README.md").read_text(encoding="utf-8")
+        found = re.search(r"\| (\d+) flows with exact, published or measured solutions, [^|]*\| (\d+) hold every bar, (\d+) miss some", text)
+        missing = {miss.part for miss in known_misses.read().values() if miss.suite == "verification"}
+        self.assertEqual([int(number) for number in found.groups()], [len(verify.CHECKS), len(verify.CHECKS) - len(missing), len(missing)])
+
+
 class Pages(unittest.TestCase):
     """What a page shows of a check: the same, and each way to be wrong."""
 
